@@ -51,7 +51,13 @@ InfluenceSpectra transform_coefficients(const InfluenceTable& table, const Surfa
     pass(table.ww, spectra.ww, nullptr, nullptr, nullptr, nullptr);
   } else if (!lateral) {
     pass(table.ww, spectra.ww, nullptr, nullptr, &table.uu, &spectra.uu);
-    pass(table.uw, spectra.uw, nullptr, nullptr, nullptr, nullptr);
+    if (table.hoop.empty()) {
+      pass(table.uw, spectra.uw, nullptr, nullptr, nullptr, nullptr);
+    } else {
+      std::vector<double> of_shear = table.uw;
+      for (std::size_t i = 0; i < of_shear.size(); ++i) of_shear[i] += table.hoop[i];
+      pass(table.uw, spectra.uw, nullptr, nullptr, &of_shear, &spectra.wu);
+    }
   } else {
     pass(table.ww, spectra.ww, &table.uv, &spectra.uv, &table.uu, &spectra.uu);
     pass(table.vv, spectra.vv, &table.vw, &spectra.vw, &table.uw, &spectra.uw);
@@ -86,7 +92,7 @@ const InfluenceOperator* InfluenceOperator::part(std::unique_ptr<InfluenceOperat
                                                  const std::shared_ptr<const InfluenceTable>& table,
                                                  bool reversed) const {
   if (table && !made)
-    made = std::make_unique<InfluenceOperator>(model_, reversed ? table->reversed() : *table, grid_, friction_);
+    made = std::make_unique<InfluenceOperator>(model_, reversed ? table->transposed() : *table, grid_, friction_);
   return made.get();
 }
 
@@ -110,8 +116,8 @@ Displacements InfluenceOperator::apply(const Vector& pressure, const Vector& she
     even_transform_->convolve(-pressure, grid_.columns, grid_.rows, spectra_.ww, moved.w, columns);
     return moved;
   }
-  const InfluenceTerms<double> terms{spectra_.ww, spectra_.uw, spectra_.vw, spectra_.uw,
-                                     spectra_.vw, spectra_.uu, spectra_.uv, spectra_.vv};
+  const InfluenceTerms<double> terms{spectra_.ww, spectra_.of_shear(), spectra_.vw, spectra_.uw,
+                                     spectra_.vw, spectra_.uu,         spectra_.uv, spectra_.vv};
   transform_->convolve({&pressure, &shear_y, &shear_x, grid_.columns, grid_.rows},
                        [&](const WavenumberBlock<double>& block) { terms.multiply(block, lateral_); },
                        {&moved.w, lateral_ ? &moved.v : nullptr, &moved.u, columns, grid_.rows});

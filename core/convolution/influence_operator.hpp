@@ -25,9 +25,10 @@ struct Displacements {
 };
 
 /// Transforms of the influence coefficients [m/Pa], normalised for the inverse transform; without friction ww only,
-/// without v for a cylinder.
+/// without v for a cylinder. wu is that of w under shear, of rings alone: else it is uw.
 struct InfluenceSpectra {
-  Spectrum<double> ww, uu, vv, uv, uw, vw;
+  Spectrum<double> ww, uu, vv, uv, uw, vw, wu;
+  const Spectrum<double>& of_shear() const { return wu.re.empty() ? uw : wu; }
 };
 
 /// An operator serves one thread at a time (it keeps work space).

@@ -69,7 +69,7 @@ KrylovOperator<Real>::KrylovOperator(const ContactModel& model, const SurfaceGri
     : grid_(half), lateral_(model.dimension == 3), padded_(padded), ww_(rounded<Real>(spectra.ww)) {
   if (friction) {
     transform_ = std::make_unique<PaddedConvolution<Real>>(padded_);
-    uw_ = rounded<Real>(spectra.uw);
+    wu_ = rounded<Real>(spectra.of_shear());
     vw_ = rounded<Real>(spectra.vw);
     const std::size_t rows = padded_.quarter_rows();
     // The forward difference over a cell, as a factor.
@@ -152,7 +152,7 @@ void KrylovOperator<Real>::apply(const Tractions& tractions, Response& response)
     response.w = -response.w;
     return;
   }
-  const InfluenceTerms<Real> terms{ww_, uw_, vw_, slip_uw_, slip_vw_, slip_uu_, slip_uv_, slip_vv_};
+  const InfluenceTerms<Real> terms{ww_, wu_, vw_, slip_uw_, slip_vw_, slip_uu_, slip_uv_, slip_vv_};
   transform_->convolve(
       {&tractions.pressure, &tractions.shear_y, &tractions.shear_x, grid_.columns, grid_.rows},
       [&](const WavenumberBlock<Real>& block) { terms.multiply(block, lateral_); },

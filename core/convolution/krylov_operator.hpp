@@ -48,7 +48,7 @@ class KrylovOperator {
   PaddedSize padded_;
   std::unique_ptr<PaddedConvolution<Real>> transform_;
   std::unique_ptr<EvenTransform<Real>> even_transform_;
-  Spectrum<Real> ww_, uw_, vw_;  // of displacements
+  Spectrum<Real> ww_, wu_, vw_;  // of displacements under shear
   Spectrum<Real> slip_uw_, slip_vw_, slip_uu_, slip_uv_, slip_vv_;
   Spectrum<Real> inverse_ww_, inverse_xx_, inverse_xy_, inverse_yy_;
 };

@@ -15,11 +15,9 @@ namespace rollres {
 namespace {
 
 constexpr std::string_view rigid = "rigid body and base", no_inertia = "no inertia", recovered_ring = "recovered ring",
-                           undeformed_ring = "undeformed ring", linear_materials = "linear materials",
-                           no_heat = "no heat", plane_strain = "plane strain";
-constexpr std::array<std::string_view, 9> names{small_strains,    rigid,          no_inertia,
-                                                flat_coating,     recovered_ring, undeformed_ring,
-                                                linear_materials, no_heat,        plane_strain};
+                           linear_materials = "linear materials", no_heat = "no heat", plane_strain = "plane strain";
+constexpr std::array<std::string_view, 8> names{small_strains,    rigid,   no_inertia,  flat_coating, recovered_ring,
+                                                linear_materials, no_heat, plane_strain};
 
 /// Steel: G [Pa], nu.
 constexpr double steel_modulus = 81e9, steel_poisson = 0.3;
@@ -48,10 +46,7 @@ class Assumptions {
     body_and_base();
     if (!model_.inertia) inertia();
     if (!model_.coating.empty() && !model_.ring()) coating();
-    if (model_.ring()) {
-      turns();
-      if (model_.friction_coefficient > 0 && solution_.method != Method::finite_strain) shear_on_ring();
-    }
+    if (model_.ring()) turns();
     inputs();
     return std::move(all_);
   }
@@ -138,19 +133,6 @@ class Assumptions {
     const double left = left_after_turn(model_);
     if (left <= recovered(model_))
       all_.push_back({recovered_ring, message_text<2>("after a turn ", left, " is left"), 0.0, left});
-  }
-
-  /// Shear does its work at R, and not at the radius that pressure leaves: of first order in a/R.
-  void shear_on_ring() {
-    const SurfaceFields& fields = solution_.fields;
-    double sheared = 0;
-    for (const double shear : fields.shear_x) sheared += std::abs(shear) * fields.grid.spacing_x;
-    const double slope = half_ / model_.radius, share = sheared / solution_.load;
-    const double viscous = solution_.viscous_loss / (solution_.rolling_resistance * model_.speed);
-    // Drawn covers: the losses inside differ from those of the surface by up to 1.4 times these, of either sign.
-    constexpr double per_shear = 1.5;
-    all_.push_back({undeformed_ring, message_text<2>("a/R = ", slope, ", shear of ", share, " of the load"), 0.0,
-                    per_shear * slope * share * std::min(std::abs(viscous), 1.0)});
   }
 
   void inputs() {

@@ -34,13 +34,15 @@ double InfluenceTable::operator()(Direction displacement, Direction force, int c
   if (displacement != w && force != w) return odd * uv[at];
   const double sign = displacement == w ? -1 : 1;
   const Direction tangential = displacement == w ? force : displacement;
-  return tangential == u ? sign * uw[at] : sign * odd * vw[at];
+  if (tangential == v) return sign * odd * vw[at];
+  return displacement == w && !hoop.empty() ? -(uw[at] + hoop[at]) : sign * uw[at];
 }
 
 InfluenceTable InfluenceTable::reversed() const {
   InfluenceTable turned(reach_x_, reach_y_);
   const auto turn = [&](const std::vector<double>& from, std::vector<double>& to, double parity) {
     if (from.empty()) return;
+    to.resize(from.size());
     for (int rows = 0; rows <= reach_y_; ++rows)
       for (int columns = -reach_x_; columns <= reach_x_; ++columns)
         to[static_cast<std::size_t>(index(columns, rows))] =
@@ -52,7 +54,17 @@ InfluenceTable InfluenceTable::reversed() const {
   turn(uv, turned.uv, -1);
   turn(uw, turned.uw, -1);
   turn(vw, turned.vw, 1);
+  turn(hoop, turned.hoop, -1);
   return turned;
+}
+
+InfluenceTable InfluenceTable::transposed() const {
+  InfluenceTable other = reversed();
+  for (std::size_t i = 0; i < other.hoop.size(); ++i) {
+    other.uw[i] += other.hoop[i];
+    other.hoop[i] = -other.hoop[i];
+  }
+  return other;
 }
 
 void InfluenceTable::add_coating(const InfluenceTable& coating) {
@@ -65,6 +77,9 @@ void InfluenceTable::add_coating(const InfluenceTable& coating) {
   add(uv, coating.uv, 1);
   add(uw, coating.uw, -1);
   add(vw, coating.vw, -1);
+  if (coating.hoop.empty()) return;
+  if (hoop.empty()) bend();
+  add(hoop, coating.hoop, -1);
 }
 
 namespace {

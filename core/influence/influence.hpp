@@ -31,12 +31,17 @@ class InfluenceTable {
   double operator()(Direction displacement, Direction force, int columns, int rows = 0) const;
 
   /// Independent components as stored, rows 0 to reach_y: C_uv and C_vw are odd in y, the others even;
-  /// C_wu = -C_uw, C_wv = -C_vw, C_vu = C_uv.
+  /// C_wu = -C_uw, of rings -(C_uw + hoop) (core/surface/ring_compliance.hpp); C_wv = -C_vw, C_vu = C_uv.
   std::vector<double> ww, uu, vv, uv, uw, vw;
+  std::vector<double> hoop;  // even in y; empty where 0
+  /// Makes room for the hoop's part, as zeros.
+  void bend() { hoop.assign(uw.size(), 0.0); }
   int index(int columns, int rows) const { return rows * (2 * reach_x_ + 1) + columns + reach_x_; }
 
   /// The coefficients of the same layers flowing the other way: x and displacements along it change sign.
   InfluenceTable reversed() const;
+  /// Those with the offsets the other way, and displacements in place of forces.
+  InfluenceTable transposed() const;
   /// Adds those of a coating, whose cross terms are opposite (steady_surface.hpp).
   void add_coating(const InfluenceTable& coating);
 

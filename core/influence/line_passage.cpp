@@ -92,8 +92,9 @@ class AddedDisplacements {
         cell_(cell),
         at_rest_(surface_.half_spaces(surface_.moduli(0))),
         long_waves_(surface_.long_waves()),
-        curvature_(surface_.curvature()),
-        table_(1, 0.1 * depth_ / surface_.longest_wave(),
+        pressed_(surface_.curvature(RingCurvature::Of::pressure)),
+        sheared_(surface_.curvature(RingCurvature::Of::shear)),
+        table_(1, pressed_.none() ? 3 : 4, 0.1 * depth_ / surface_.longest_wave(),
                [this](double wavenumber, std::span<complex> values) { transform(wavenumber, values); }) {}
   AddedDisplacements(const AddedDisplacements&) = delete;
   AddedDisplacements& operator=(const AddedDisplacements&) = delete;
@@ -102,8 +103,10 @@ class AddedDisplacements {
     LayerSlopes sum = table_(0, x / depth_);
     const double logarithm = std::log(x * x + 4 * depth_ * depth_) / (2 * M_PI);
     sum(layer_slope::normal) += (at_rest_.normal - long_waves_.normal).real() * logarithm;
-    if (!curvature_.none()) sum(layer_slope::normal) += curvature_.at_rest() * logarithm + curvature_.displacement(x);
     sum(layer_slope::tangential) += (at_rest_.longitudinal - long_waves_.longitudinal).real() * logarithm;
+    if (pressed_.none()) return sum;
+    sum(layer_slope::normal) += pressed_.at_rest() * logarithm + pressed_.displacement(x);
+    sum(layer_slope::hoop) += sheared_.displacement(x);
     return sum;
   }
 
@@ -115,17 +118,18 @@ class AddedDisplacements {
     const SteadySurface::Moduli moduli = surface_.moduli(along);
     const SurfaceCompliance c = surface_(moduli, along, 0), deep = surface_.half_spaces(moduli);
     const double fade = std::exp(-2 * k), scale = 1 / (M_PI * k);
-    values[0] = scale * (spread * (along * c.normal - deep.normal) - curvature_(along) +
-                         fade * (at_rest_.normal - long_waves_.normal + curvature_.at_rest()));
+    values[0] = scale * (spread * (along * c.normal - deep.normal) - pressed_(along) +
+                         fade * (at_rest_.normal - long_waves_.normal + pressed_.at_rest()));
     values[1] = scale * (spread * (along * c.longitudinal - deep.longitudinal) +
                          fade * (at_rest_.longitudinal - long_waves_.longitudinal));
     values[2] = i * scale * spread * (along * c.cross - deep.cross);
+    if (values.size() > 3) values[3] = i * scale * (spread * along * c.hoop - sheared_(along));
   }
 
   SteadySurface surface_;
   double depth_, cell_;
   SurfaceCompliance at_rest_, long_waves_;
-  RingCurvature curvature_;  // of a ring's short waves: taken out of the transform
+  RingCurvature pressed_, sheared_;  // of a ring's short waves: taken out of the transform
   FourierTable table_;
 };
 
@@ -196,12 +200,14 @@ void add_earlier_turns(InfluenceTable& table, const ContactModel& model, double 
   const int reach = table.reach_x();
   const EarlierTurns turns(alone ? model : coating_alone(model), cell, told_apart, reach * cell);
   InfluenceTable earlier(reach, 0);
+  earlier.bend();
   for (int column = -reach; column <= reach; ++column) {
     const auto at = static_cast<std::size_t>(table.index(column, 0));
     const LayerSlopes values = turns(column * cell);
     earlier.ww[at] = values(layer_slope::normal);
     earlier.uu[at] = values(layer_slope::tangential);
     earlier.uw[at] = values(layer_slope::cross) * (alone ? -1 : 1);
+    earlier.hoop[at] = values(layer_slope::hoop) * (alone ? -1 : 1);
   }
   table.add_coating(coating_remembers_ahead(model) ? earlier.reversed() : earlier);
 }
@@ -233,12 +239,14 @@ InfluenceTable line_passage_table(const ContactModel& model, const SurfaceGrid& 
   if (ahead) table.add_coating(half_spaces(coating, {}).reversed());
   if (std::isinf(nearest_interface(model))) return table;
   const AddedDisplacements added(model, cell, told_apart);
+  if (model.ring()) table.bend();
   for (int column = -reach_x; column <= reach_x; ++column) {
     const auto at = static_cast<std::size_t>(table.index(column, 0));
     const LayerSlopes values = added(column * cell);
     table.ww[at] += values(layer_slope::normal);
     table.uu[at] += values(layer_slope::tangential);
     table.uw[at] += values(layer_slope::cross);
+    if (model.ring()) table.hoop[at] += values(layer_slope::hoop);
   }
   add_earlier_turns(table, model, cell, told_apart);
   return table;

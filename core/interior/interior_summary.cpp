@@ -5,7 +5,6 @@
 
 #include "core/interior/cylinder_inside.hpp"
 #include "core/interior/sphere_inside.hpp"
-#include "core/messages/message_text.hpp"
 
 namespace rollres {
 
@@ -87,11 +86,6 @@ void add_interior(const ContactModel& model, RollingSolution& solution) {
     solution.peak_strain_amplitude = s.peak_strain_amplitude;
   }
   solution.interior_loss = s.loss;
-  constexpr double apart = 1e-3;
-  if (const double off = std::abs(s.loss / solution.viscous_loss - 1);
-      model.ring() && off > apart && std::isfinite(off))
-    solution.warnings.push_back(message_text("the losses inside the ring are ", 100 * off,
-                                             " % off the surface's: shear acts there on the undeformed radius"));
   if (s.bonds.empty()) return;
   solution.bond_shear = solution.bond_tension = 0;
   solution.bond_shears.assign(model.foundation.size() + model.coating.size(), 0);  // a half-space ends nowhere

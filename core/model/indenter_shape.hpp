@@ -24,7 +24,7 @@
 /// With a coating the surface between body and layers has the slope w_x = b_x - c_x, c_x that of the coating's part of
 /// w, and the coating flows at R Omega. The pressure acts along the normal of that surface. It therefore adds what
 /// multiples of the integral M of p c_x (core/newton/README.md, (N3b)) add to the arms above:
-///   Q: -M   T: R M
+///   Q: -M   T: R (M - N), N of a ring alone, whose shear acts at the radius that pressure leaves (N3e)
 ///   slip: s_x = forward + du/dx - omega turning + (omega - 1) times the coating's part of du/dx
 /// On a rigid plane all shear acts along it, at one height: forward = turning = 1. In between, with the coating's share
 /// k of b_x = w_x + c_x taken as one number (`coating_share`),
@@ -136,10 +136,17 @@ Value drive_row(const ContactModel& model, const Value& torque, const Value& dri
   if (model.drive != Drive::top_force) return torque / model.radius;
   return torque / model.radius - driving_force;
 }
-/// What a coating's M (see above) adds to that row per unit [1].
-inline double coating_in_drive(const ContactModel& model) {
-  const double part = model.coating.empty() ? 0 : IndenterShape(model).of_coating();
-  return drive_row(model, model.radius * part, -part);
+/// What the tractions on a coating add to the resultants beyond the arms above [N] (per metre for a cylinder).
+struct CoatingMoments {
+  double pressed = 0;  ///< M
+  double sheared = 0;  ///< N of a ring, core/newton/README.md, (N3e)
+
+  double in_torque() const { return pressed - sheared; }  ///< what they add to T/R
+};
+/// What they add to that row, for the bodies whose resultants have them (`IndenterShape::of_coating`).
+inline double coating_in_drive(const ContactModel& model, const CoatingMoments& moments) {
+  if (model.coating.empty() || IndenterShape(model).of_coating() == 0) return 0;
+  return drive_row(model, model.radius * moments.in_torque(), -moments.pressed);
 }
 inline double drive_target(const ContactModel& model) {
   return model.drive == Drive::torque ? *model.driving_torque / model.radius : 0;

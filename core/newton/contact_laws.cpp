@@ -63,7 +63,7 @@ NaturalMaps natural_maps(const ContactProblem& problem, const InfluenceOperator&
   }
   if (problem.friction && !problem.rotation_given()) {
     const double force = std::max(problem.load(x.pressure, x.shear_x), 1e-300);
-    if (problem.of_coating != 0) maps.coating = coating_moment(problem, influence, x);
+    if (problem.coating_drives()) maps.coating = coating_moments(problem, influence, x);
     count(problem.drive_surplus(x.pressure, x.shear_x, maps.coating) / force * scale);
   }
   return maps;
@@ -97,7 +97,8 @@ void let_one_stick(const ContactProblem& problem, const ContactUnknowns& x, cons
     std::size_t place;
   };
   std::vector<Sliding> nodes;
-  double surplus = problem.drive.of_pressure.dot(x.pressure) + problem.of_coating * maps.coating - problem.drive_target;
+  double surplus =
+      problem.drive.of_pressure.dot(x.pressure) + problem.coating_in_drive(maps.coating) - problem.drive_target;
   for (std::size_t i = 0; i < laws.contact.size(); ++i) {
     const Eigen::Index node = laws.contact[i];
     const double power = problem.drive.of_shear_x(node) * problem.law.bound(x.pressure(node));

@@ -19,7 +19,7 @@ struct NaturalMaps {
   Displacements moved;
   Vector gap;              // profile - d - w [m]
   Vector slip_x, slip_y;   // slip / V (N2) [1], at every node
-  double coating = 0;      // M of (N3b), where the drive's row has it [N]
+  CoatingMoments coating;  // where the drive's row has them
   double largest = 0;      // largest residual of any law over the largest pressure [1]
   double mean_square = 0;  // sum of squares of the residuals over the squared largest pressure
 };

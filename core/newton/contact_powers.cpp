@@ -64,19 +64,25 @@ double node_weight(const ContactProblem& problem, Eigen::Index node) {
   return problem.grid.cell_area() * problem.images(node);
 }
 
-/// Derivatives of the displacements w of the coating, times the force with which slopes count: the coefficients the
-/// other way, under a pressure of as much.
-Displacements under_slopes(const ContactProblem& problem, const InfluenceOperator& influence, const Vector& pressure,
-                           const Vector& none) {
+/// Shear of a ring at a node, as its work at the radius that pressure leaves counts in (N3e): over R.
+double shear_on_ring(const ContactProblem& problem, const ContactUnknowns& x, Eigen::Index node) {
+  return problem.friction && problem.model.ring() ? x.shear_x(node) / problem.model.radius : 0;
+}
+
+/// Derivatives of the displacements w of the coating, times the force with which their slopes and they themselves
+/// count: the coefficients the other way, under a pressure of as much.
+Displacements under_weights(const ContactProblem& problem, const InfluenceOperator& influence, const ContactUnknowns& x,
+                            const CoatingMoments& factors, const Vector& none) {
   const SurfaceGrid& grid = problem.grid;
   Vector force = Vector::Zero(grid.size());
   for (Eigen::Index i = 0; i < grid.size(); ++i) {
-    if (pressure(i) == 0) continue;
+    if (x.pressure(i) == 0) continue;
     const SlopePlaces places(grid, i);
-    const double by_slope = grid.cell_area() * pressure(i) / places.distance;
+    const double by_slope = factors.pressed * grid.cell_area() * x.pressure(i) / places.distance;
     const Eigen::Index column = i % grid.columns;
     if (column + 1 < grid.columns) force(i + 1) += by_slope;
     force(column > 0 ? i - 1 : i) -= by_slope;
+    force(i) += factors.sheared * grid.cell_area() * shear_on_ring(problem, x, i);
   }
   return influence.coating_transposed()->apply(force, none, problem.lateral ? none : Vector());
 }
@@ -108,8 +114,13 @@ ContactPowers contact_powers(const ContactProblem& problem, const Displacements&
       const double force_v = problem.friction && problem.lateral ? weight * unknowns.shear_y(i) : 0;
       powers.halves += std::abs(force * x) / problem.shape.radius();
       const double pressed = coated ? slope(coating.w) : 0;
-      powers.coating += force * pressed;
+      powers.coating.pressed += force * pressed;
       powers.layer += force * (slope(moved.w) + (turning - 1) * pressed);
+      if (coated) {
+        const double sheared = weight * shear_on_ring(problem, unknowns, i) * coating.w(at);
+        powers.coating.sheared += sheared;
+        powers.layer -= turning * sheared;
+      }
       const LeverArm unbalanced = problem.shape.unbalanced_power(turning, x, y);
       powers.unbalanced += unbalanced(force, force_u);
       powers.pushed += unbalanced(force, 0);
@@ -122,7 +133,7 @@ ContactPowers contact_powers(const ContactProblem& problem, const Displacements&
       powers.drawn += force_u;
       powers.friction += force_u * (rigid.forward + along - turning * rigid.turning) + force_v * across;
     }
-  powers.unbalanced += (problem.shape.of_coating() - 1) * (turning - 1) * powers.coating;
+  powers.unbalanced += (problem.shape.of_coating() - 1) * (turning - 1) * powers.coating.pressed;
   if (problem.friction) powers.by_law = friction_by_law(problem, moved, coating, unknowns, zone);
   if (load > 0) powers.sticking /= load;
   powers.drawn = load > 0 && problem.friction
@@ -139,24 +150,28 @@ Displacements moved_coating(const InfluenceOperator& influence, const ContactUnk
   return influence.coating()->apply(x.pressure, x.shear_x, x.shear_y);
 }
 
-double coating_moment(const ContactProblem& problem, const InfluenceOperator& influence, const ContactUnknowns& x) {
-  if (!influence.coating()) return 0;
+CoatingMoments coating_moments(const ContactProblem& problem, const InfluenceOperator& influence,
+                               const ContactUnknowns& x) {
+  if (!influence.coating()) return {};
   const Displacements moved = moved_coating(influence, x);
-  double sum = 0;
+  CoatingMoments moments;
   for (Eigen::Index i = 0; i < x.pressure.size(); ++i) {
     if (x.pressure(i) == 0) continue;
     const SlopePlaces places(problem.grid, i);
-    sum += node_weight(problem, i) * x.pressure(i) * (moved.w(places.ahead) - moved.w(places.behind)) / places.distance;
+    const double weight = node_weight(problem, i);
+    moments.pressed += weight * x.pressure(i) * (moved.w(places.ahead) - moved.w(places.behind)) / places.distance;
+    moments.sheared += weight * shear_on_ring(problem, x, i) * moved.w(places.ahead - 1);
   }
-  return sum;
+  return moments;
 }
 
-TractionRow moment_row(const ContactProblem& problem, const InfluenceOperator& influence, const ContactUnknowns& x) {
+TractionRow moments_row(const ContactProblem& problem, const InfluenceOperator& influence, const ContactUnknowns& x,
+                        const CoatingMoments& factors) {
   const SurfaceGrid& grid = problem.grid;
   const Displacements moved = moved_coating(influence, x);
   const bool sheared = problem.friction;
   const Displacements other =
-      under_slopes(problem, influence, x.pressure, sheared ? Vector(Vector::Zero(grid.size())) : Vector());
+      under_weights(problem, influence, x, factors, sheared ? Vector(Vector::Zero(grid.size())) : Vector());
   TractionRow row;
   row.of_pressure.resize(grid.size());
   if (sheared) row.of_shear_x.resize(grid.size());
@@ -165,8 +180,10 @@ TractionRow moment_row(const ContactProblem& problem, const InfluenceOperator& i
     const SlopePlaces places(grid, i);
     const Eigen::Index at = places.ahead - 1;
     const double slope = (moved.w(places.ahead) - moved.w(places.behind)) / places.distance, images = problem.images(i);
-    row.of_pressure(i) = node_weight(problem, i) * slope + images * other.w(at);
+    row.of_pressure(i) = factors.pressed * node_weight(problem, i) * slope + images * other.w(at);
     if (sheared) row.of_shear_x(i) = -images * other.u(at);
+    if (sheared && problem.model.ring())
+      row.of_shear_x(i) += factors.sheared * node_weight(problem, i) * moved.w(at) / problem.model.radius;
     if (sheared && problem.lateral) row.of_shear_y(i) = -images * other.v(at);
   }
   return row;
@@ -174,10 +191,8 @@ TractionRow moment_row(const ContactProblem& problem, const InfluenceOperator& i
 
 TractionRow coating_in_drive_row(const ContactProblem& problem, const InfluenceOperator& influence,
                                  const ContactUnknowns& x) {
-  if (problem.of_coating == 0) return {};
-  TractionRow row = moment_row(problem, influence, x);
-  for (Vector* part : {&row.of_pressure, &row.of_shear_x, &row.of_shear_y}) *part *= problem.of_coating;
-  return row;
+  if (!problem.coating_drives()) return {};
+  return moments_row(problem, influence, x, problem.of_coating);
 }
 
 void ContactPowers::take(const EdgeCorrection& correction) {

@@ -27,8 +27,8 @@ constexpr double negligible_resistance = 1e-3;
 /// Powers over V [N] (per metre for a cylinder).
 struct ContactPowers {
   double layer = 0;         ///< what the layers take: p w' - tau . (u', v'), slopes by central differences; a coating
-                            ///< flows at R Omega
-  double coating = 0;       ///< M of (N3b): p times the coating's part of w'
+                            ///< flows at R Omega, a ring takes tau w/R less
+  CoatingMoments coating;   ///< M of (N3b) and N of (N3e)
   double friction = 0;      ///< what friction takes: tau . slip, with the same slopes
   double by_law = 0;        ///< the same with the slip of the law, by forward differences: 0 at nodes that stick
   double unbalanced = 0;    ///< of the kinematics, (N23): 0 where they are consistent
@@ -64,20 +64,23 @@ struct ContactPowers {
 ContactPowers contact_powers(const ContactProblem& problem, const Displacements& moved, const Displacements& coating,
                              const ContactUnknowns& unknowns, const std::vector<Zone>& zone);
 
-// What a coating takes: M of (N3b), and what the linearised drive has of it.
+// What a coating takes: M of (N3b) and N of (N3e), and what the linearised drive has of them.
 
 /// The coating's part of the displacements; empty without one.
 Displacements moved_coating(const InfluenceOperator& influence, const ContactUnknowns& x);
 
-/// M = sum A p c_x, c_x by central differences, so that an elastic coating takes nothing by itself [N]; 0 without one.
-double coating_moment(const ContactProblem& problem, const InfluenceOperator& influence, const ContactUnknowns& x);
+/// M = sum A p c_x, c_x by central differences, so that an elastic coating takes nothing by itself, and of a ring N =
+/// sum A tau_x c/R, c the coating's part of w; 0 without one.
+CoatingMoments coating_moments(const ContactProblem& problem, const InfluenceOperator& influence,
+                               const ContactUnknowns& x);
 
-/// The derivative of M times what the drive's row has of it; empty where it has nothing.
+/// The derivative of what the drive's row has of them; empty where it has nothing.
 TractionRow coating_in_drive_row(const ContactProblem& problem, const InfluenceOperator& influence,
                                  const ContactUnknowns& x);
 
-/// The same of M alone. @pre there is a coating
-TractionRow moment_row(const ContactProblem& problem, const InfluenceOperator& influence, const ContactUnknowns& x);
+/// The derivative of M and N, each times its factor. @pre there is a coating
+TractionRow moments_row(const ContactProblem& problem, const InfluenceOperator& influence, const ContactUnknowns& x,
+                        const CoatingMoments& factors);
 
 /// Changes a solution's rolling resistance, and what drives the body with it.
 void add_resistance(const ContactModel& model, double change, RollingSolution& solution);

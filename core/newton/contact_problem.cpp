@@ -39,7 +39,8 @@ ContactProblem::ContactProblem(const ContactModel& given, const SurfaceGrid& hal
     }
   if (!given.coating.empty()) {
     idle_ratio = given.flow;
-    if (friction && !rotation_given()) of_coating = coating_in_drive(given);
+    if (friction && !rotation_given())
+      of_coating = {rollres::coating_in_drive(given, {1, 0}), rollres::coating_in_drive(given, {0, 1})};
   }
   drive = {drive_row(model, torque.of_pressure, driving_force.of_pressure),
            drive_row(model, torque.of_shear_x, driving_force.of_shear_x)};

@@ -39,9 +39,9 @@ struct ContactProblem {
   Resultant load, torque, driving_force;  // (N3): P [N], T [N m], Q [N] (per metre for a cylinder)
   Resultant drive;                        // row that the drive sets to `drive_target`; unused with drive "rotation"
   double drive_target = 0;
-  double of_coating = 0;  // what a coating's M (N3b) adds to that row per unit; 0 without a row or a coating
-  double idle_ratio = 1;  // R Omega/V without friction [1]
-  EdgeSlip edge;          // none where it is not known
+  CoatingMoments of_coating;  // what a coating's M and N add to that row per unit; 0 without a row or a coating
+  double idle_ratio = 1;      // R Omega/V without friction [1]
+  EdgeSlip edge;              // none where it is not known
 
   /// Whether the contact's edge shall be sought inside the cells: with the paper's kinematics the grid is the paper's.
   bool follows_edge() const {
@@ -54,9 +54,12 @@ struct ContactProblem {
 
   bool load_given() const { return model.load.has_value(); }
   bool rotation_given() const { return model.drive == Drive::rotation; }
-  /// @param coating M of (N3b) [N]
-  double drive_surplus(const Vector& pressure, const Vector& shear_x, double coating) const {
-    return drive(pressure, shear_x) + of_coating * coating - drive_target;
+  bool coating_drives() const { return of_coating.pressed != 0; }
+  double coating_in_drive(const CoatingMoments& moments) const {
+    return of_coating.pressed * moments.pressed + of_coating.sheared * moments.sheared;
+  }
+  double drive_surplus(const Vector& pressure, const Vector& shear_x, const CoatingMoments& moments) const {
+    return drive(pressure, shear_x) + coating_in_drive(moments) - drive_target;
   }
   /// Unknown tractions at a node in contact: p; tau_x; tau_y.
   int components() const { return !friction ? 1 : lateral ? 3 : 2; }
@@ -74,11 +77,12 @@ struct ContactProblem {
     if (!friction) return idle_ratio;
     return rotation_given() ? *model.rotation_ratio : shape.rotation_ratio(law_ratio);
   }
-  /// Rolling resistance [N] (per metre for a cylinder); empty shear is none. @param coating M of (N3b) [N]
-  double resistance(const Vector& pressure, const Vector& shear_x, double law_ratio, double coating) const {
+  /// Rolling resistance [N] (per metre for a cylinder); empty shear is none.
+  double resistance(const Vector& pressure, const Vector& shear_x, double law_ratio,
+                    const CoatingMoments& coating) const {
     const double turning = turning_ratio(law_ratio);
     return driving_force(pressure, shear_x) + torque(pressure, shear_x) * turning / shape.radius() +
-           shape.of_coating() * (turning - 1) * coating;
+           shape.of_coating() * (turning * coating.in_torque() - coating.pressed);
   }
 };
 

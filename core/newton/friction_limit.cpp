@@ -33,7 +33,7 @@ class Surplus {
     const ContactProblem wanted(model_, level.problem->grid);
     const ContactUnknowns& x = level.outcome.unknowns;
     const double value =
-        direction_ * wanted.drive_surplus(x.pressure, x.shear_x, coating_moment(wanted, *level.influence, x));
+        direction_ * wanted.drive_surplus(x.pressure, x.shear_x, coating_moments(wanted, *level.influence, x));
     last_ = std::move(level);
     return value;
   }

@@ -93,9 +93,10 @@ class Assessment {
     s_.mean_pressure = s_.load / s_.contact_area;
     s_.rolling_resistance = powers_.resultants;
     const double turning = problem_.turning_ratio(unknowns_.rotation_ratio), radius = problem_.model.radius;
-    const double of_coating = problem_.shape.of_coating() * powers_.coating;
+    const double of_coating = problem_.shape.of_coating() * powers_.coating.pressed;
     if (problem_.friction) {
-      s_.driving_torque = problem_.torque(pressure, shear) + radius * of_coating;
+      s_.driving_torque =
+          problem_.torque(pressure, shear) + radius * problem_.shape.of_coating() * powers_.coating.in_torque();
       s_.driving_force = problem_.driving_force(pressure, shear) - of_coating;
       s_.rotation_ratio = turning;
       s_.rotation_speed = turning * problem_.model.speed / radius;

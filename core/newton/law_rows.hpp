@@ -24,7 +24,7 @@ struct ActiveLaws {
   std::vector<Zone> zone;             // of those nodes: stick or slip (stick if frictionless)
   // At slipping nodes: direction of friction, and beta = mu p / |q| of the projection.
   Vector direction_x, direction_y, beta;
-  TractionRow coating;  // what the drive's row has of a coating's M (N3b); empty without
+  TractionRow coating;  // what the drive's row has of a coating's M and N (N3b, N3e); empty without
 };
 
 /// What the tractions of an increment do at the nodes in contact: w/kappa, slip/sigma [Pa].

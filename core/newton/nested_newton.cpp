@@ -81,7 +81,7 @@ EdgeCorrection correction_of(const ContactLevel& level) {
   sphere.of_resistance = problem.driving_force.of_pressure + turning * problem.torque.of_pressure;
   if (level.influence->coating()) {
     const double part = problem.shape.of_coating() * (problem.turning_ratio(x.rotation_ratio) - 1);
-    sphere.of_resistance += part * moment_row(problem, *level.influence, x).of_pressure;
+    sphere.of_resistance += moments_row(problem, *level.influence, x, {part, 0}).of_pressure;
   }
   if (problem.friction) {
     const SurfaceGrid& grid = problem.grid;
@@ -90,7 +90,7 @@ EdgeCorrection correction_of(const ContactLevel& level) {
     for (Eigen::Index row = 0; row < grid.rows; ++row)
       sphere.height.segment(row * grid.columns, grid.columns) -=
           by_shear.w.segment(row * (grid.columns + 1), grid.columns);
-    sphere.resistance_of_shear = problem.resistance(none, x.shear_x, x.rotation_ratio, 0);
+    sphere.resistance_of_shear = problem.resistance(none, x.shear_x, x.rotation_ratio, {});
   }
   if (level.influence->coating())  // of which M is no linear functional
     sphere.resistance_of_shear = level.powers.resultants - sphere.of_resistance.dot(x.pressure);

@@ -38,8 +38,9 @@ NewtonOutcome solve_cold(const ContactProblem& problem, const ContactLevel& leve
 namespace {
 
 double surplus(const ContactProblem& problem, const ContactLevel& level, const NewtonOutcome& at) {
-  const double coating = problem.of_coating != 0 ? coating_moment(problem, *level.influence, at.unknowns) : 0;
-  return problem.drive_surplus(at.unknowns.pressure, at.unknowns.shear_x, coating);
+  const CoatingMoments moments =
+      problem.coating_drives() ? coating_moments(problem, *level.influence, at.unknowns) : CoatingMoments{};
+  return problem.drive_surplus(at.unknowns.pressure, at.unknowns.shear_x, moments);
 }
 
 /// Solution with the drive's row between two neighbours on the path, where its surplus changes sign.

@@ -60,7 +60,7 @@ RotationPath::RotationPath(const ContactProblem& problem, const ContactLevel& le
       turning_(with_drive(problem, Drive::rotation, 1)),
       freely_(with_drive(problem, Drive::free, 1)),
       step_(options.first_turn) {
-  freely_.of_coating = 0;  // its row measures progress alone
+  freely_.of_coating = {};  // its row measures progress alone
   options_.most_iterations = options.path_iterations;
   for (const double ratio : {1.0, 1.003, 0.997, 1.03, 0.97, 1.3, 0.7, 4.0, -2.0, 31.0, -29.0, 1e4, -1e4}) {
     if (std::optional<NewtonOutcome> found = solve_at(ratio, frictionless)) {

@@ -34,6 +34,86 @@ const QuadratureRule& gauss_rule(int order) { return kept_for_thread<QuadratureR
 
 namespace {
 
+/// Legendre's functions of the second kind Q_0 ... Q_last, on the cut from -1 to 1 their principal values.
+std::vector<std::complex<double>> legendre_second_kind(int last, std::complex<double> s) {
+  using complex = std::complex<double>;
+  std::vector<complex> q(static_cast<std::size_t>(last) + 1);
+  const bool on_cut = s.imag() == 0 && std::abs(s.real()) < 1;
+  q[0] = on_cut ? complex(std::atanh(s.real())) : 0.5 * std::log((s + 1.0) / (s - 1.0));
+  const double decay = on_cut ? 0 : std::abs(std::log(std::abs(s + std::sqrt(s - 1.0) * std::sqrt(s + 1.0))));
+  constexpr double digits_kept = 3;
+  if (2 * last * decay < digits_kept) {
+    q[1] = s * q[0] - 1.0;
+    for (int n = 1; n < last; ++n) {
+      const auto i = static_cast<std::size_t>(n);
+      q[i + 1] = ((2.0 * n + 1.0) * s * q[i] - static_cast<double>(n) * q[i - 1]) / (n + 1.0);
+    }
+    return q;
+  }
+  complex above = 0, here = 1e-280;  // backwards (Miller), from where the start is forgotten
+  for (int n = last + static_cast<int>(std::ceil(20 / decay)); n > 0; --n) {
+    const complex below = ((2.0 * n + 1.0) * s * here - (n + 1.0) * above) / static_cast<double>(n);
+    above = here;
+    here = below;
+    if (n <= last) q[static_cast<std::size_t>(n)] = above;
+    if (std::abs(here) < 1e200) continue;
+    for (int known = std::max(n, 1); known <= last; ++known) q[static_cast<std::size_t>(known)] *= 1e-200;
+    above *= 1e-200;
+    here *= 1e-200;
+  }
+  for (int n = 1; n <= last; ++n) q[static_cast<std::size_t>(n)] *= q[0] / here;
+  return q;
+}
+
+/// (2n + 1)/2 P_n at the nodes of the Gauss rule: values to the series of a function, but for the weights on [-1, 1].
+struct LegendreFit {
+  Eigen::MatrixXd from_values;  // [n, node]
+
+  explicit LegendreFit(int order) : from_values(order, order) {
+    const QuadratureRule& rule = gauss_rule(order);
+    for (int q = 0; q < order; ++q) {
+      const double s = 2 * rule.nodes[static_cast<std::size_t>(q)] - 1;
+      double before = 0, here = 1;
+      for (int n = 0; n < order; ++n) {
+        from_values(n, q) = (n + 0.5) * here;
+        const double next = ((2 * n + 1) * s * here - n * before) / (n + 1);
+        before = here;
+        here = next;
+      }
+    }
+  }
+};
+
+}  // namespace
+
+Eigen::RowVectorXd gauss_logarithm_missed(int order, std::complex<double> place) {
+  using complex = std::complex<double>;
+  complex s = 2.0 * place - 1.0;
+  constexpr double rounded = 1e-15;
+  if (const double end = std::copysign(1, s.real()); std::abs(s - end) < rounded) s = end * (1 - rounded);
+  constexpr double faded = 19;
+  if (2 * order * std::log(std::abs(s) + std::sqrt(std::max(std::norm(s) - 1, 0.0))) > 2 * faded)
+    return Eigen::RowVectorXd::Zero(order);
+  // int P_n(r) ln(s - r) dr = 2 (Q_{n+1} - Q_{n-1})/(2n + 1)
+  const std::vector<complex> q = legendre_second_kind(order, s);
+  Eigen::RowVectorXd integrals(order);
+  const auto times_logarithm = [](complex z) { return z == 0.0 ? 0 : (z * std::log(z)).real(); };
+  integrals(0) = s.imag() == 0 ? (s.real() + 1) * std::log(std::abs(s.real() + 1)) -
+                                     (s.real() - 1) * std::log(std::abs(s.real() - 1)) - 2
+                               : times_logarithm(s + 1.0) - times_logarithm(s - 1.0) - 2;
+  for (int n = 1; n < order; ++n) {
+    const auto i = static_cast<std::size_t>(n);
+    integrals(n) = 2 * (q[i + 1] - q[i - 1]).real() / (2 * n + 1);
+  }
+  Eigen::RowVectorXd missed = integrals * kept_for_thread<LegendreFit>(order).from_values;
+  const QuadratureRule& rule = gauss_rule(order);
+  for (int k = 0; k < order; ++k)
+    missed(k) -= std::log(std::abs(s - (2 * rule.nodes[static_cast<std::size_t>(k)] - 1)));
+  return missed;
+}
+
+namespace {
+
 constexpr int singular_power = 4;
 
 /// Position s/length in [0, 1] of the parameter t in [0, 1] and its derivative.

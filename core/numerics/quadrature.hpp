@@ -6,6 +6,7 @@
 #include <Eigen/Core>
 
 #include <cmath>
+#include <complex>
 #include <vector>
 
 namespace rollres {
@@ -20,6 +21,10 @@ QuadratureRule gauss_legendre(int order);
 
 /// The same, kept for the thread.
 const QuadratureRule& gauss_rule(int order);
+
+/// What sums over the Gauss rule's nodes lack where a smooth function of s in [0, 1] times Re ln(place - s) is
+/// integrated: by node, to be added to the logarithm there. @param place anywhere but at a node
+Eigen::RowVectorXd gauss_logarithm_missed(int order, std::complex<double> place);
 
 /// Integral over s in [0, inf) of e^{-s/T}/T K(s) for K known at nodes only: panels, each with Chebyshev-Lobatto
 /// nodes, on which K is interpolated and multiplied exactly by the exponential. Both ends of a panel are nodes, so

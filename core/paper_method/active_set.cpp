@@ -31,26 +31,36 @@ bool touches_rim(const ContactModel& model, const SurfaceGrid& grid, const std::
   return false;
 }
 
-/// M of core/newton/README.md, (N3b), of a scene with a coating.
-class CoatingMoment {
+/// M and N of core/newton/README.md, (N3b) and (N3e), of a scene with a coating.
+class MomentsOfCoating {
  public:
-  CoatingMoment(const InfluenceTable& table, const SurfaceGrid& grid, bool lateral) {
+  MomentsOfCoating(const ContactModel& model, const InfluenceTable& table, const SurfaceGrid& grid)
+      : over_radius_(model.ring() ? 1 / model.radius : 0) {
     if (!table.coating) return;
     for (const Direction force : {Direction::w, Direction::u, Direction::v})
-      if (force != Direction::v || lateral)
+      if (force != Direction::v || model.dimension == 3) {
+        heights_.push_back(displacement_kernel(*table.coating, grid, Direction::w, force));
         slopes_.push_back(slope_kernel(*table.coating, grid, Direction::w, force, SlipStencil::central));
+      }
   }
-  double operator()(const NormalContact& normal, const Eigen::VectorXd& force_x, const Eigen::VectorXd& force_y) const {
-    if (slopes_.empty()) return 0;
-    Eigen::VectorXd slope = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(normal.contact.size()));
-    slopes_[0].add(normal.contact, normal.contact, normal.force, slope);
-    slopes_[1].add(normal.contact, normal.contact, force_x, slope);
-    if (slopes_.size() > 2) slopes_[2].add(normal.contact, normal.contact, force_y, slope);
-    return -normal.force(normal.contact).dot(slope);
+  CoatingMoments operator()(const NormalContact& normal, const Eigen::VectorXd& force_x,
+                            const Eigen::VectorXd& force_y) const {
+    if (slopes_.empty()) return {};
+    const auto moved = [&](const std::vector<OffsetKernel>& kernels) {
+      Eigen::VectorXd sum = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(normal.contact.size()));
+      kernels[0].add(normal.contact, normal.contact, normal.force, sum);
+      kernels[1].add(normal.contact, normal.contact, force_x, sum);
+      if (kernels.size() > 2) kernels[2].add(normal.contact, normal.contact, force_y, sum);
+      return sum;
+    };
+    CoatingMoments moments{-normal.force(normal.contact).dot(moved(slopes_)), 0};
+    if (over_radius_ > 0) moments.sheared = over_radius_ * force_x(normal.contact).dot(moved(heights_));
+    return moments;
   }
 
  private:
-  std::vector<OffsetKernel> slopes_;  // of w for each force
+  double over_radius_;                          // of a ring, else 0
+  std::vector<OffsetKernel> heights_, slopes_;  // of w for each force
 };
 
 template <class StickSlipSolver>
@@ -60,7 +70,7 @@ ContactState combined_loop(const ContactModel& model, const InfluenceTable& tabl
   std::optional<StickSlipSolver> stick_slip_solver;
   if (!frictionless) stick_slip_solver.emplace(model, table, grid);
 
-  const CoatingMoment coating(table, grid, lateral);
+  const MomentsOfCoating coating(model, table, grid);
   ContactState state;
   state.grid = grid;
   NormalContact normal;
@@ -88,8 +98,9 @@ ContactState combined_loop(const ContactModel& model, const InfluenceTable& tabl
       state.status = Status::converged;
       break;
     }
-    StickSlip found = stick_slip_solver->solve(normal.contact, normal.force, inner_tolerance,
-                                               coating(normal, tangential.force_x, tangential.force_y));
+    const CoatingMoments moments = coating(normal, tangential.force_x, tangential.force_y);
+    StickSlip found =
+        stick_slip_solver->solve(normal.contact, normal.force, inner_tolerance, coating_in_drive(model, moments));
     state.iterations += found.iterations;
     change = std::max(change, (found.force_x - tangential.force_x).cwiseAbs().maxCoeff());
     if (lateral) change = std::max(change, (found.force_y - tangential.force_y).cwiseAbs().maxCoeff());

@@ -46,7 +46,7 @@ class TangentialProblem {
  public:
   TangentialProblem(const ContactModel& model, const InfluenceTable& table, const SurfaceGrid& grid);
 
-  /// Takes over the contact area and its normal forces. @param coating M of core/newton/README.md, (N3b) [N]
+  /// Takes over the contact area and its normal forces. @param coating what one adds to the drive's row [N]
   void set_normal(const std::vector<int>& contact, const Eigen::VectorXd& normal_force, double coating);
 
   /// s_x (component 0) or s_y (1) over V at the nodes, without the rotation, by the scene's difference or the forward
@@ -84,7 +84,7 @@ class TangentialProblem {
 
  private:
   Eigen::VectorXd normal_force_;
-  double drive_target_ = 0, of_coating_ = 0;
+  double drive_target_ = 0;
   Eigen::VectorXd forward_slip_;               // s_x at every node, without displacements and rotation
   Eigen::VectorXd normal_arm_;                 // of every node, in the drive's row, over R
   OffsetKernel forward_[2][3], chosen_[2][3];  // slope of u, v (first index) for F_W, F_U, F_V (second)
@@ -101,7 +101,8 @@ class LineStickSlip {
   LineStickSlip(const LineStickSlip&) = delete;
   LineStickSlip& operator=(const LineStickSlip&) = delete;
 
-  /// @param tolerance unused: once the zones are found, the answer is exact   @param coating M of (N3b) [N/m]
+  /// @param tolerance unused: once the zones are found, the answer is exact   @param coating what one adds to the
+  /// drive's row [N/m]
   StickSlip solve(const std::vector<int>& contact, const Eigen::VectorXd& normal_force, double tolerance = 0,
                   double coating = 0);
   const SubsetSolver& system() const { return system_; }
@@ -133,7 +134,7 @@ class SurfaceStickSlip {
   SurfaceStickSlip& operator=(const SurfaceStickSlip&) = delete;
 
   /// @param tolerance largest change of friction at a node, relative to the largest limit, that counts as none
-  /// @param coating M of (N3b) [N]
+  /// @param coating what one adds to the drive's row [N]
   StickSlip solve(const std::vector<int>& contact, const Eigen::VectorXd& normal_force, double tolerance,
                   double coating = 0);
   const SubsetSolver& system() const { return system_; }

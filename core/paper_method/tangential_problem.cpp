@@ -15,7 +15,6 @@ TangentialProblem::TangentialProblem(const ContactModel& model, const InfluenceT
       drive_target_(drive_target(model)) {
   const IndenterShape shape(model, share_of_coating(model));
   if (model.drive == Drive::rotation) given_rotation = shape.law_ratio(*model.rotation_ratio);
-  if (!model.coating.empty()) of_coating_ = coating_in_drive(model);
   const Direction directions[] = {Direction::w, Direction::u, Direction::v};
   for (int i = 0; i < components; ++i)
     for (int j = 0; j < components + 1; ++j) {
@@ -45,7 +44,7 @@ void TangentialProblem::set_normal(const std::vector<int>& in_contact, const Eig
   contact = in_contact;
   normal_force_ = normal_force;
   limit = normal_force.unaryExpr([&](double force) { return law.bound(force); });
-  moment = normal_arm_.dot(normal_force) + of_coating_ * coating - drive_target_;
+  moment = normal_arm_.dot(normal_force) + coating - drive_target_;
 }
 
 double TangentialProblem::element(int row, int column) const {

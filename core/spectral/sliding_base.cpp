@@ -48,6 +48,7 @@ void SlidingBase::place_nodes() {
   const double centre = contact_.centre(), half = contact_.half_length();
   if (transitions_.empty()) {
     const ChebyshevRule& rule = chebyshev_rule(order_);
+    runs_.push_back({0, order_, contact_});
     nodes_ = centre + half * rule.nodes.array();
     densities_ = half * trailing_ * rule.densities;
     return;
@@ -74,6 +75,7 @@ void SlidingBase::place_nodes() {
   const auto add_slip = [&](double from, double to, double m) {
     const double behind = std::acos(std::clamp(place_in(contact_, from), -1.0, 1.0));
     const double ahead = std::acos(std::clamp(place_in(contact_, to), -1.0, 1.0));
+    runs_.push_back({at, count, contact_, ahead, behind});
     for (std::size_t q = 0; q < points.nodes.size(); ++q) {
       const double angle = ahead + (behind - ahead) * points.nodes[q];
       add(centre + half * std::cos(angle), half * (behind - ahead) * points.weights[q] * std::sin(angle), m);
@@ -83,6 +85,7 @@ void SlidingBase::place_nodes() {
   for (const Transition& transition : transitions_) {
     const Interval& stick = transition.stick;
     add_slip(start, stick.from, m);
+    runs_.push_back({at, count, stick, 0, M_PI});
     for (std::size_t q = 0; q < points.nodes.size(); ++q) {
       const double angle = M_PI * points.nodes[q];  // 0 at the leading end
       add(stick.centre() + stick.half_length() * std::cos(angle),

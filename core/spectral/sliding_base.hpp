@@ -28,6 +28,7 @@ class SlidingBase {
   /// Smooth functions h(x) integrated against p m: sum over nodes of densities [node, n] h(node) [m].
   const Eigen::VectorXd& nodes() const { return nodes_; }  // x [m]
   const Eigen::MatrixXd& densities() const { return densities_; }
+  const std::vector<SourceRun>& runs() const { return runs_; }  // of these nodes
 
  private:
   /// A zone of stick between different directions.
@@ -43,6 +44,7 @@ class SlidingBase {
   Interval contact_;
   int trailing_, leading_, order_;  // directions, number of coefficients
   std::vector<Transition> transitions_;
+  std::vector<SourceRun> runs_;
   Eigen::VectorXd nodes_;
   Eigen::MatrixXd densities_;
 };

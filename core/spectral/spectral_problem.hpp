@@ -38,7 +38,7 @@ struct SpectralProblem {
   bool inertia;                                               // of the layers, is part of it
   std::shared_ptr<const SlopeCorrection> correction;          // none for a half-space
   std::shared_ptr<const SpectralProblem> coating;             // alone, if there is one (`coating_alone`)
-  double coating_moment = 0;                                  // M of (S18), as far as it is known [N/m]
+  CoatingMoments coating_moments;                             // M and N of (S18), as far as they are known [N/m]
 
   /// Whether pressure and shear, if there is any, are coupled in short waves, or these remember (section 9).
   bool graded(bool shear) const { return inertia || (shear && deep->cross() != 0); }

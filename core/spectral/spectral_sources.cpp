@@ -1,6 +1,9 @@
 #include "core/spectral/spectral_sources.hpp"
 
+#include <complex>
+
 #include "core/numerics/chebyshev.hpp"
+#include "core/numerics/quadrature.hpp"
 
 namespace rollres {
 
@@ -22,6 +25,7 @@ TractionSources traction_sources(const SlipPattern& pattern, const SpectralEdges
   sources.x.resize(n + static_cast<Index>(stick_places.size()) * stick_n + base_nodes);
   sources.of_pressure = MatrixXd::Zero(sources.x.size(), unknowns);
   sources.of_shear = MatrixXd::Zero(sources.x.size(), unknowns);
+  sources.runs.push_back({0, n, contact});
   sources.x.head(n) = contact.centre() + contact.half_length() * rule.nodes.array();
   sources.of_pressure.topLeftCorner(n, n) = contact.half_length() * rule.densities;
   if (pattern.shear && !own_nodes)
@@ -29,10 +33,15 @@ TractionSources traction_sources(const SlipPattern& pattern, const SpectralEdges
   Index at = n;
   for (std::size_t z = 0; z < stick_places.size(); ++z, at += stick_n) {
     const Interval& stick = edges.sticks[z];
+    sources.runs.push_back({at, stick_n, stick});
     sources.x.segment(at, stick_n) = stick.centre() + stick.half_length() * stick_rule.nodes.array();
     sources.of_shear.block(at, stick_places[z], stick_n, stick_n) = stick.half_length() * stick_rule.densities;
   }
   if (base_nodes > 0) {
+    for (SourceRun run : base->runs()) {
+      run.first += at;
+      sources.runs.push_back(run);
+    }
     sources.x.tail(base_nodes) = base->nodes();
     sources.of_shear.bottomLeftCorner(base_nodes, n) = friction * base->densities().leftCols(n);
   }
@@ -41,7 +50,8 @@ TractionSources traction_sources(const SlipPattern& pattern, const SpectralEdges
 
 namespace {
 
-/// Slopes under a unit force at each source: those of w or u, from forces of its own direction and from the other.
+/// Slopes under a unit force at each source: those of w or u, from forces of its own direction and from the other,
+/// which of w have the hoop's part.
 struct UnitSlopes {
   MatrixXd direct, cross;  // [point, source]
 
@@ -51,7 +61,7 @@ struct UnitSlopes {
       for (Index i = 0; i < x.size(); ++i) {
         const LayerSlopes k = layer(x(i) - sources.x(q));
         direct(i, q) = k(direction);
-        cross(i, q) = k(layer_slope::cross);
+        cross(i, q) = k(layer_slope::cross) + (direction == layer_slope::normal ? k(layer_slope::hoop) : 0);
       }
   }
 };
@@ -74,14 +84,31 @@ MatrixXd tangential_slopes(const TractionSources& sources, const LayerKernel& la
   return slopes;
 }
 
-RowVectorXd missed_slopes(const SlopeCorrection& correction, const Interval& contact, int order, double x) {
-  const double half = contact.half_length();
-  if (correction.logarithmic_slope(half, 2 * half) == 0) return {};
-  const double t = place_in(contact, x);
-  RowVectorXd missed = logarithm_missed(order, t);
-  const VectorXd& nodes = chebyshev_rule(order).nodes;
-  for (Index q = 0; q < nodes.size(); ++q)
-    missed(q) = t == nodes(q) ? 0 : missed(q) * correction.logarithmic_slope(half * (t - nodes(q)), 2 * half);
+namespace {
+
+/// Of Gauss points between angles: ln|x - x(angle)| is singular at the angle of x and at its mirror images, off the
+/// real axis where x is off the interval.
+RowVectorXd missed_between_angles(const SourceRun& run, double x) {
+  const auto count = static_cast<int>(run.count);
+  const double t = place_in(run.interval, x), width = run.to_angle - run.from_angle;
+  const std::complex<double> angle = std::abs(t) <= 1 ? std::complex<double>(std::acos(t))
+                                                      : std::complex<double>(t > 0 ? 0 : M_PI, std::acosh(std::abs(t)));
+  RowVectorXd missed = RowVectorXd::Zero(run.count);
+  for (const std::complex<double> singular : {angle, -angle, 2 * M_PI - angle})
+    missed += gauss_logarithm_missed(count, (singular - run.from_angle) / width);
+  return missed;
+}
+
+}  // namespace
+
+RowVectorXd missed_of(const LogarithmicSlope& logarithm, std::span<const SourceRun> runs, const VectorXd& sources,
+                      double x) {
+  RowVectorXd missed(runs.back().first + runs.back().count);
+  for (const SourceRun& run : runs)
+    missed.segment(run.first, run.count) =
+        run.from_angle == run.to_angle ? logarithm_missed(static_cast<int>(run.count), place_in(run.interval, x))
+                                       : missed_between_angles(run, x);
+  for (Index q = 0; q < missed.size(); ++q) missed(q) = x == sources(q) ? 0 : missed(q) * logarithm(x - sources(q));
   return missed;
 }
 

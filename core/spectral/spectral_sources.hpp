@@ -5,6 +5,7 @@
 
 #include <Eigen/Core>
 #include <functional>
+#include <span>
 #include <vector>
 
 #include "core/spectral/sliding_base.hpp"
@@ -16,6 +17,7 @@ struct TractionSources {
   Eigen::VectorXd x;                      // [m]; the contact's own nodes first
   Eigen::MatrixXd of_pressure, of_shear;  // [source, unknown]: force per unknown [m]
   Eigen::Index pressure_nodes = 0;        // first sources, and first unknowns, that have a pressure
+  std::vector<SourceRun> runs;            // of all sources; the first one bears the pressure
 };
 
 /// @param base if there is friction   @param stick_places of the first coefficient of each zone of stick among the
@@ -32,9 +34,10 @@ using LayerKernel = std::function<LayerSlopes(double)>;
 Eigen::MatrixXd normal_slopes(const TractionSources& sources, const LayerKernel& layer, const Eigen::VectorXd& x);
 Eigen::MatrixXd tangential_slopes(const TractionSources& sources, const LayerKernel& layer, const Eigen::VectorXd& x);
 
-/// What the sums miss of the part of normal slopes that goes with ln|x|, of a ring's curvature: by forces at the nodes
-/// of the contact, to be subtracted [1/m]. Empty where there is no such part.
-Eigen::RowVectorXd missed_slopes(const SlopeCorrection& correction, const Interval& contact, int order, double x);
+/// What the sums at x miss of a kernel's part that goes with ln|x|, of a ring's curvature: by forces at the sources of
+/// these runs, to be added to the kernel [1/m].
+Eigen::RowVectorXd missed_of(const LogarithmicSlope& logarithm, std::span<const SourceRun> runs,
+                             const Eigen::VectorXd& sources, double x);
 
 /// A resultant by unknown, from its lever arms (S18): `load`, `driving_force` [N/m] or `torque` [N] of the shape.
 Eigen::RowVectorXd resultant_row(const IndenterShape& shape, LeverArm (IndenterShape::*arm)(double, double) const,

@@ -56,6 +56,7 @@ class System : private ZonedSystem {
     solution_ = SquareSystem(matrix_).solve(right_);
     SpectralState state = ZonedSystem::state(approach());
     state.sources = sources_.x;
+    state.runs = sources_.runs;
     state.pressure_forces = sources_.of_pressure * solution_;
     state.shear_forces = sources_.of_shear * solution_;
     return state;
@@ -84,12 +85,21 @@ class System : private ZonedSystem {
     if (terms_ > 0) matrix_.block(0, amplitude_, n_ + 1, terms_) = -rule_.images * memory_.series;
     if (problem_.layered()) {
       matrix_.topRows(n_ + 1) += normal_slopes(sources_, layer(), x);
-      for (Index i = 0; i <= n_; ++i)
-        if (const RowVectorXd missed = missed_slopes(*problem_.correction, edges_.contact, static_cast<int>(n_), x(i));
-            missed.size() > 0)
-          matrix_.row(i).head(n_) -= missed * sources_.of_pressure.topLeftCorner(n_, n_);
+      add_missed(x);
     }
     prescribe_contact(x);
+  }
+
+  /// What sums over the sources miss of a ring's logarithms (S24a).
+  void add_missed(const VectorXd& x) {
+    const RingLogarithms logarithms = problem_.correction->logarithms(2 * edges_.contact.half_length());
+    if (logarithms.normal.none()) return;
+    const std::span<const SourceRun> runs(sources_.runs);
+    for (Index i = 0; i <= n_; ++i) {
+      matrix_.row(i).head(n_) -=
+          missed_of(logarithms.normal, runs.first(1), sources_.x, x(i)) * sources_.of_pressure.topLeftCorner(n_, n_);
+      if (pattern_.shear) matrix_.row(i) -= missed_of(logarithms.hoop, runs, sources_.x, x(i)) * sources_.of_shear;
+    }
   }
 
   /// The means at the leading edge, by (S12) and (S13), and the rows (S8) of the pressure's amplitudes.
@@ -241,7 +251,7 @@ class System : private ZonedSystem {
     for (Index q = 0; q < sources_.x.size(); ++q) {
       const LayerSlopes k = problem_.correction->displacement(leading - sources_.x(q));
       w -= k(layer_slope::normal) * sources_.of_pressure.row(q).dot(solution_) +
-           k(layer_slope::cross) * sources_.of_shear.row(q).dot(solution_);
+           (k(layer_slope::cross) + k(layer_slope::hoop)) * sources_.of_shear.row(q).dot(solution_);
     }
     return ZonedSystem::approach(w);
   }

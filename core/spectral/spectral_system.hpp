@@ -71,6 +71,15 @@ struct SpectralDensity {
 
 struct GradedTractions;
 
+/// Consecutive points x = centre + half-length cos(angle) that stand for a traction: their forces are the weights of a
+/// rule times a smooth function of the angle.
+struct SourceRun {
+  Eigen::Index first, count;
+  Interval interval;
+  /// Gauss points between these angles; if they are the same, the zeros of U_count in the interval and its density.
+  double from_angle = 0, to_angle = 0;
+};
+
 struct SpectralState {
   SlipPattern pattern;
   SpectralEdges edges{};
@@ -82,8 +91,14 @@ struct SpectralState {
   Eigen::VectorXd edge_means;                              // R_{T_m} g_w at the leading edge [Pa]
   Eigen::VectorXd sources, pressure_forces, shear_forces;  // points and forces that stand for the tractions at a
                                                            // distance [m], [N/m]
+  std::vector<SourceRun> runs;                             // of these; none of graded points
+  bool bent = false;                                       // the surface is a ring's
   Eigen::VectorXd residuals;                               // relative, one for each edge and border
   std::shared_ptr<const GradedTractions> graded;           // in place of densities (graded_system.hpp)
+
+  /// Whether shear moves a ring outwards by its integral (core/surface/ring_compliance.hpp): the pressure has a power
+  /// 3/2 of the distance from ends of sticks.
+  bool sheared_ring() const { return bent && pattern.shear && !graded; }
 };
 
 /// On a surface next to which nothing creeps, the slack of a zone of stick and the rotation are the same to it: bounded

@@ -75,7 +75,7 @@ std::pair<RowVectorXd, double> ZonedSystem::drive_row() const {
   const double half = edges_.contact.half_length();
   const RowVectorXd row =
       rollres::drive_row(model, resultant(&IndenterShape::torque), resultant(&IndenterShape::driving_force));
-  return {row / half, (drive_target(model) - coating_in_drive(model) * problem_.coating_moment) / half};
+  return {row / half, (drive_target(model) - coating_in_drive(model, problem_.coating_moments)) / half};
 }
 
 void ZonedSystem::drive() {
@@ -107,12 +107,15 @@ SpectralState ZonedSystem::state(double approach) const {
   const ContactModel& model = problem_.model;
   SpectralState state;
   state.pattern = pattern_;
+  state.bent = model.ring();
   state.edges = edges_;
   state.pressure = {solution_.head(slack_), solution_.segment(amplitude_, terms_)};
   state.load = resultant(&IndenterShape::load).dot(solution_);
-  const double of_coating = problem_.shape.of_coating() * problem_.coating_moment;
-  state.driving_force = resultant(&IndenterShape::driving_force).dot(solution_) - of_coating;
-  state.driving_torque = resultant(&IndenterShape::torque).dot(solution_) + model.radius * of_coating;
+  const double of_coating = problem_.shape.of_coating();
+  state.driving_force =
+      resultant(&IndenterShape::driving_force).dot(solution_) - of_coating * problem_.coating_moments.pressed;
+  state.driving_torque = resultant(&IndenterShape::torque).dot(solution_) +
+                         model.radius * of_coating * problem_.coating_moments.in_torque();
   state.approach = approach;
   state.edge_means = means_ * solution_;
   const double scale = state.load / edges_.contact.half_length();

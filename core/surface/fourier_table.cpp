@@ -25,13 +25,16 @@ constexpr std::array<double, 7> first_borders{1.2, 3, 6, 11, 19, 31, 48};
 
 }  // namespace
 
-FourierTable::FourierTable(std::size_t functions, double lowest_wavenumber, Transform transform)
-    : functions_(functions), lowest_(lowest_wavenumber), transform_(std::move(transform)) {}
+FourierTable::FourierTable(std::size_t functions, Index components, double lowest_wavenumber, Transform transform)
+    : components_(components),
+      columns_(components * static_cast<Index>(functions)),
+      lowest_(lowest_wavenumber),
+      transform_(std::move(transform)) {}
 
 /// Wavenumbers, and there w f for each function: the values at x are Re sum factors e^{i k x}.
 struct FourierTable::WaveRule {
   Eigen::ArrayXd k;
-  MatrixXd real, imaginary;  // [node, 3 * function + component]
+  MatrixXd real, imaginary;  // [node, components * function + component]
 };
 
 FourierTable::WaveRule FourierTable::wave_rule(double from, double to) const {
@@ -48,11 +51,11 @@ FourierTable::WaveRule FourierTable::wave_rule(double from, double to) const {
       weights.push_back(width * gauss.weights[q] * fade(nodes.back()));
     }
   }
-  const auto count = static_cast<Index>(nodes.size()), columns = static_cast<Index>(3 * functions_);
-  WaveRule rule{Eigen::Map<Eigen::ArrayXd>(nodes.data(), count), MatrixXd(count, columns), MatrixXd(count, columns)};
-  Eigen::ArrayXcd values(columns);
+  const auto count = static_cast<Index>(nodes.size());
+  WaveRule rule{Eigen::Map<Eigen::ArrayXd>(nodes.data(), count), MatrixXd(count, columns_), MatrixXd(count, columns_)};
+  Eigen::ArrayXcd values(columns_);
   for (Index q = 0; q < count; ++q) {
-    transform_(rule.k(q), {values.data(), static_cast<std::size_t>(columns)});
+    transform_(rule.k(q), {values.data(), static_cast<std::size_t>(columns_)});
     values *= weights[static_cast<std::size_t>(q)];
     rule.real.row(q) = values.real();
     rule.imaginary.row(q) = values.imag();
@@ -71,9 +74,11 @@ FourierTable::PanelPair FourierTable::made(double from, double to) const {
   for (const int side : {0, 1}) {
     const MatrixXd series = side == 0 ? MatrixXd(even - odd) : MatrixXd(even + odd);
     std::vector<LayerSlopes>& c = pair.coefficients[static_cast<std::size_t>(side)];
-    for (Index function = 0; 3 * function < series.cols(); ++function)
-      for (Index k = 0; k < terms; ++k)
-        c.emplace_back(series(k, 3 * function), series(k, 3 * function + 1), series(k, 3 * function + 2), 0);
+    for (Index first = 0; first < columns_; first += components_)
+      for (Index k = 0; k < terms; ++k) {
+        c.push_back(LayerSlopes::Zero());
+        c.back().head(components_) = series.row(k).segment(first, components_).transpose();
+      }
   }
   return pair;
 }

@@ -42,6 +42,8 @@ double finite_thickness(const LayeredMedium& medium);
 /// Displacement per traction [m/Pa], as in LayerSymbols but with the moduli.
 struct SurfaceCompliance {
   std::complex<double> normal, longitudinal, cross, transverse;
+  std::complex<double> hoop =
+      0;  ///< of a ring: what the cross term of w under shear has besides that of u under pressure
 };
 
 /// Of rings by `ring_compliance`.

@@ -35,7 +35,7 @@ class PassageSlopes final : public SlopeCorrection {
   LayerSlopes displacement(double x) const override;
   double depth() const override { return depth_; }
   double reach() const override { return INFINITY; }
-  double logarithmic_slope(double x, double length) const override;
+  RingLogarithms logarithms(double length) const override;
 
  private:
   static constexpr std::size_t slopes_ = 0, displacements_ = 1, first_memory_ = 2;
@@ -47,8 +47,9 @@ class PassageSlopes final : public SlopeCorrection {
   double depth_;                        // [m]
   Eigen::Array2d at_rest_;              // 2 k c_ww/D and 2 k c_ll/D of the half-spaces under long waves [1]
   bool rigid_base_;
-  RingCurvature curvature_;                // over D, of a ring's short waves: taken out of the transforms
-  std::vector<RingCurvature> remembered_;  // the same by memory
+  /// Over D, of a ring's short waves under pressure and under shear, taken out of the transforms; the same by memory.
+  RingCurvature pressed_, sheared_;
+  std::vector<RingCurvature> pressed_memory_, sheared_memory_;
   FourierTable table_;
 };
 

@@ -11,12 +11,10 @@ namespace {
 using complex = std::complex<double>;
 using Eigen::Matrix2cd;
 
-/// Normal, along and cross of the disc, times k and of unit modulus.
+/// Of the disc, times k and of unit modulus.
 SurfaceCompliance disc(double n, double nu) {
-  return {.normal = ((1 - nu) * n * n - 0.5 * (1 - 2 * nu) * n) / (n * n - 1),
-          .longitudinal = 1 - nu,
-          .cross = -0.5 * (1 - 2 * nu),
-          .transverse = 0};
+  const double normal = ((1 - nu) * n * n - 0.5 * (1 - 2 * nu) * n) / (n * n - 1);
+  return {.normal = normal, .longitudinal = 1 - nu, .cross = -0.5 * (1 - 2 * nu), .transverse = 0, .hoop = normal / n};
 }
 
 /// Displacements, times the scale of waves, per r times the stress on the outer face [1/Pa].
@@ -37,7 +35,7 @@ bool is_ring(const LayeredMedium& medium) { return !medium.empty() && std::isfin
 SurfaceCompliance ring_compliance(const LayeredMedium& rings, std::span<const complex> moduli, double wavenumber) {
   const double n = wavenumber * rings.front().radius;
   const auto scaled = [&](SurfaceCompliance c, complex by) {
-    return SurfaceCompliance{c.normal * by, c.longitudinal * by, c.cross * by, c.transverse * by};
+    return SurfaceCompliance{c.normal * by, c.longitudinal * by, c.cross * by, c.transverse * by, c.hoop * by};
   };
   constexpr double faded = 19;  // e^-38: the core is not felt
   if (-n * std::log1p(-rings.front().thickness / rings.front().radius) > faded)
@@ -50,7 +48,8 @@ SurfaceCompliance ring_compliance(const LayeredMedium& rings, std::span<const co
   return {.normal = n * give(0, 0) * per,
           .longitudinal = (n * give(1, 1) + give(0, 1)) * per,
           .cross = -(n * give(1, 0) + give(0, 0)) * per,
-          .transverse = 0};
+          .transverse = 0,
+          .hoop = give(0, 0) * per};
 }
 
 }  // namespace rollres

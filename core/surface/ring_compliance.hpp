@@ -6,12 +6,15 @@
 /// (ring_waves.hpp). Rings follow one another from the core outwards. The harmonic n = k R is continuous: the ring is
 /// taken to have recovered when it comes round again.
 ///
-/// What slides and what does work is the strain along the surface, (du_phi/dphi + u_r)/R, and not du_phi/dx alone: the
-/// compliance along is that of a displacement whose slope is this strain. Under pressure a disc strains as a half-space
-/// does, -(1 - 2 nu)/2 p/G at the same place, and so do its cross terms: of short waves, the normal compliance alone
-/// differs from the flat one, by the disc's (Michell's stress functions r^n and r^(n+2))
+/// What slides is the strain along the surface, the hoop strain (du_phi/dphi + u_r)/R, and not du_phi/dx alone: u is
+/// the displacement whose slope it is. Under pressure a disc strains as a half-space does, -(1 - 2 nu)/2 p/G at the
+/// same place. Of short waves the normal compliance differs from the flat one, by the disc's (Michell's stress
+/// functions r^n and r^(n+2))
 ///     2 k c_ww = [2 (1 - nu) n^2 - (1 - 2 nu) n]/(n^2 - 1)/G
-/// Shear moves the surface radially by the same cross term, so that an elastic ring takes no power from its tractions.
+/// Shear does its work on du_phi/dx, the hoop strain less u_r/R. So w under shear is reciprocal to u_phi under
+/// pressure, and not to u: its cross term is c_x + c_ww/n, of which the second part, `hoop`, is of order a/R. The power
+/// that shear at the radius R gives to the ring is less by tau w/R than that by the hoop strain (core/newton/README.md,
+/// (N3e)).
 
 #include <complex>
 #include <span>
@@ -24,7 +27,7 @@ namespace rollres {
 bool is_ring(const LayeredMedium& medium);
 
 /// @pre `is_ring(medium)`, without inertia   @param moduli G_i of each ring [Pa]   @param wavenumber k > 0 [1/m]
-/// @return c_ww, c_ll and c_x as of `surface_compliance` [m/Pa]; the transverse one is 0
+/// @return c_ww, c_ll, c_x and the hoop's part as of `surface_compliance` [m/Pa]; the transverse one is 0
 SurfaceCompliance ring_compliance(const LayeredMedium& rings, std::span<const std::complex<double>> moduli,
                                   double wavenumber);
 

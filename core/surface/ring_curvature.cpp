@@ -1,8 +1,8 @@
 #include "core/surface/ring_curvature.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
+#include <utility>
 
 #include "core/material/prony_series.hpp"
 #include "core/numerics/memory_functions.hpp"
@@ -69,36 +69,48 @@ std::vector<double> weights_for(const std::vector<double>& squares) {
 
 }  // namespace
 
-RingCurvature::RingCurvature(const MediumLayer& ring, double speed)
+RingCurvature::RingCurvature(const MediumLayer& ring, double speed, Of of, bool coating)
     : ring_(ring),
       speed_(speed),
+      of_(of),
+      coating_(coating),
       squares_(squares_apart(ring.material, ring.radius, speed)),
       weights_(weights_for(squares_)) {
-  const double even = 1 - ring.poisson_ratio, odd = -0.5 * (1 - 2 * ring.poisson_ratio);
+  const double nu = ring.poisson_ratio;
+  even_ = 1 - nu;
+  odd_ = -0.5 * (1 - 2 * nu);
+  if (of_ == Of::shear) {
+    std::swap(even_, odd_);
+    if (coating_) even_ = -even_, odd_ = -odd_;
+  }
   for (const double square : squares_)
     for (const double side : {1.0, -1.0}) parts_.push_back({side * ring.radius / std::sqrt(square), 0, 0});
   const auto add = [&](double compliance, double memory) {
     Part own{memory, 0, 0};
+    // a/(1 - ikT) and -ib/(1 - ikT) are a pole and a jump in i e^{ikx}, a jump and a pole in -e^{ikx}.
+    const auto put = [&](Part& part, double a, double b) {
+      part.pole += of_ == Of::pressure ? a : b;
+      part.jump += of_ == Of::pressure ? b : -a;
+    };
     for (std::size_t j = 0; j < squares_.size(); ++j) {
       // even/(n^2 + s) + odd n/(n^2 + s) by 1/(1 - ik tau) and 1/(1 + ik tau), each times 1/(1 - ik memory)
       const double root = std::sqrt(squares_[j]), tau = ring.radius / root;
-      const double a = compliance * even * weights_[j] / (2 * squares_[j]);
-      const double b = compliance * odd * weights_[j] / (2 * root);
+      const double a = compliance * even_ * weights_[j] / (2 * squares_[j]);
+      const double b = compliance * odd_ * weights_[j] / (2 * root);
       const double ahead = memory - tau, behind = memory + tau;
-      Part &forwards = parts_[2 * j], &backwards = parts_[2 * j + 1];
-      forwards.pole -= a * tau / ahead;
-      forwards.jump -= b * tau / ahead;
-      backwards.pole += a * tau / behind;
-      backwards.jump -= b * tau / behind;
-      own.pole += a * (memory / ahead + memory / behind);
-      own.jump += b * (memory / ahead - memory / behind);
+      put(parts_[2 * j], -a * tau / ahead, -b * tau / ahead);
+      put(parts_[2 * j + 1], a * tau / behind, -b * tau / behind);
+      put(own, a * (memory / ahead + memory / behind), b * (memory / ahead - memory / behind));
     }
     if (memory != 0) parts_.push_back(own);
   };
   if (ring.material.instantaneous != 0) add(ring.material.instantaneous, 0);
   for (const CreepSpectrum::Term& term : ring.material.terms) add(term.compliance, speed * term.time);
-  for (const Part& part : parts_) at_rest_ += part.pole;
-  make_series();
+  for (const Part& part : parts_) {
+    step_ += part.jump;
+    if (of_ == Of::pressure) at_rest_ += part.pole;
+  }
+  if (of_ == Of::pressure && ring.material.terms.empty()) make_series();
 }
 
 void RingCurvature::make_series() {
@@ -132,8 +144,8 @@ RingCurvature RingCurvature::over(const CreepSpectrum& deep) const {
     if (constexpr double nothing = 1e-9; std::abs(residue) > nothing * quotient.material.instantaneous)
       quotient.material.terms.push_back({residue, term.time});
   }
-  RingCurvature over(quotient, speed_);
-  if (!quotient.material.terms.empty()) over.tabulate();
+  RingCurvature over(quotient, speed_, of_, coating_);
+  if (!quotient.material.terms.empty() || of_ == Of::shear) over.tabulate();
   return over;
 }
 
@@ -160,7 +172,7 @@ RingCurvature RingCurvature::remembered(double length) const {
     seen.material.terms[0].compliance += term.compliance * time / apart;
     seen.material.terms.push_back({-term.compliance * term.time / apart, term.time});
   }
-  return {seen, speed_};
+  return {seen, speed_, of_, coating_};
 }
 
 complex RingCurvature::operator()(double wavenumber) const {
@@ -168,13 +180,12 @@ complex RingCurvature::operator()(double wavenumber) const {
   const double n = wavenumber * ring_.radius;
   double sum = 0;
   for (std::size_t j = 0; j < squares_.size(); ++j) sum += weights_[j] / (n * n + squares_[j]);
-  return ring_.material(-wavenumber * speed_) * ((1 - ring_.poisson_ratio) - 0.5 * (1 - 2 * ring_.poisson_ratio) * n) *
-         sum;
+  return ring_.material(-wavenumber * speed_) * (even_ + odd_ * n) * sum;
 }
 
 double RingCurvature::slope(double x) const {
   const double ratio = x / ring_.radius, square = ratio * ratio;
-  if (ring_.material.terms.empty() && square <= 1 && ring_.poisson_ratio == 0.5) {
+  if (of_ == Of::pressure && ring_.material.terms.empty() && square <= 1 && ring_.poisson_ratio == 0.5) {
     double logarithms = 0, rests = 0;
     for (std::size_t i = series_terms; i-- > 0;) {
       logarithms = logarithms_[i] + square * logarithms;
@@ -190,15 +201,15 @@ double RingCurvature::slope(double x) const {
 double RingCurvature::sum_of_parts(double x) const {
   double sum = 0;
   for (const Part& part : parts_) {
-    // What goes with ln|x| at 0 is the same of all, and cancels.
-    sum -= part.pole / M_PI * (x == 0 ? std::log(std::abs(part.length)) / part.length : mean_of_pole(x, part.length));
+    const double pole = x == 0 ? (std::log(std::abs(part.length)) - euler) / part.length : mean_of_pole(x, part.length);
+    sum -= part.pole / M_PI * pole;
     if (part.jump != 0) sum += part.jump * remembered_force(x, part.length);
   }
   return sum;
 }
 
 double RingCurvature::displacement(double x) const {
-  double sum = 0;
+  double sum = 0.5 * step_;  // transforms are as far below 0 behind as above it ahead
   for (const Part& part : parts_) {
     sum -= part.pole / M_PI * remembered_logarithm(x, part.length);
     if (part.jump != 0) sum += part.jump * remembered_step(x, part.length);
@@ -206,33 +217,19 @@ double RingCurvature::displacement(double x) const {
   return sum;
 }
 
-double RingCurvature::logarithmic_slope(double x, double length) const {
-  const double ratio = x / ring_.radius, square = ratio * ratio;
-  double at_once = 0, own = ring_.material.instantaneous, remembered = 0;
-  for (std::size_t i = logarithms_.size(); i-- > 0;) at_once = logarithms_[i] + square * at_once;
-  std::array<double, count> ahead{}, behind{};  // what goes with e^{x/tau} and e^{-x/tau}
-  bool none = true;
-  for (const CreepSpectrum::Term& term : ring_.material.terms) {
-    const double memory = speed_ * term.time;
-    if (std::abs(memory) < short_share * length) {
-      own += term.compliance;
-      continue;
-    }
-    none = false;
-    double of_memory = 0;
-    for (std::size_t j = 0; j < count; ++j) {
-      const double tau = ring_.radius / std::sqrt(squares_[j]), weight = term.compliance * weights_[j] / squares_[j];
-      ahead[j] += weight / (memory - tau);
-      behind[j] += weight / (memory + tau);
-      of_memory += weight / (memory - tau) + weight / (memory + tau);
-    }
-    remembered += of_memory * std::exp(x / memory);
-  }
-  for (std::size_t j = 0; j < count && !none; ++j) {
-    const double wave = std::exp(ratio * std::sqrt(squares_[j]));
-    remembered -= ahead[j] * wave + behind[j] / wave;
-  }
-  return own * ratio * at_once + (1 - ring_.poisson_ratio) / (2 * M_PI) * remembered;
+LogarithmicSlope RingCurvature::logarithmic_slope(double length) const {
+  if (none()) return {};
+  MediumLayer told_apart = ring_;
+  told_apart.material = {.instantaneous = ring_.material.instantaneous, .terms = {}};
+  for (const CreepSpectrum::Term& term : ring_.material.terms)
+    if (std::abs(speed_ * term.time) < short_share * length)
+      told_apart.material.instantaneous += term.compliance;
+    else
+      told_apart.material.terms.push_back(term);
+  LogarithmicSlope slope;
+  for (const Part& part : RingCurvature(told_apart, speed_, of_, coating_).parts_)
+    if (part.pole != 0) slope.terms.push_back({part.pole / (M_PI * part.length), part.length});
+  return slope;
 }
 
 }  // namespace rollres

@@ -1,13 +1,16 @@
 #pragma once
 
-/// What the curvature of a ring's face adds to its normal response to short waves: that of a disc less that of a
-/// half-space (ring_compliance.hpp), which fades like a power of the wavenumber and not exponentially.
+/// What the curvature of a ring's face adds to the slope w' that short waves make: that of a disc less that of a
+/// half-space (ring_compliance.hpp), which fades like a power of the wavenumber and not exponentially. With n = k R and
+/// unit modulus, under pressure and, by the hoop's part, under shear
+///     k c_ww: [(1 - nu) - (1 - 2 nu)/2 n]/(n^2 - 1),     k c_hoop: [(1 - nu) n - (1 - 2 nu)/2]/(n^2 - 1)
 ///
-/// With n = k R the quotient 1/(n^2 - 1) is replaced by a sum of w_j/(n^2 + s_j) that agrees with it to n^-10: what
+/// The quotient 1/(n^2 - 1) is replaced by a sum of w_j/(n^2 + s_j) that agrees with it to n^-10: what
 /// is missing belongs to long waves, and is smooth. With the creep of the ring, sum of C/(1 - i k T), all is a sum of
 /// a/(1 - i k T) and -i b/(1 - i k T) over positive and negative lengths T, whose slopes are R_T of a pole and of a
 /// unit force (core/spectral/README.md, (S3), (S30)).
 
+#include <cmath>
 #include <complex>
 #include <memory>
 #include <vector>
@@ -17,28 +20,49 @@
 
 namespace rollres {
 
+/// What goes with ln|x| in slopes, as a sum of exponentials of the distance.
+class LogarithmicSlope {
+ public:
+  /// @return [1/(Pa m)]
+  double operator()(double x) const {
+    double sum = 0;
+    for (const Term& term : terms) sum += term.weight * std::exp(x / term.length);
+    return sum;
+  }
+  bool none() const { return terms.empty(); }
+
+  struct Term {
+    double weight, length;  // [1/(Pa m)], [m]
+  };
+  std::vector<Term> terms;
+};
+
 class RingCurvature {
  public:
+  enum class Of { pressure, shear };
+
   /// None: 0 everywhere.
   RingCurvature() = default;
   /// @param ring the outer one   @param speed V [m/s], negative where the ring flows backwards
-  RingCurvature(const MediumLayer& ring, double speed);
+  /// @param coating of the body: its cross terms have the opposite sign
+  RingCurvature(const MediumLayer& ring, double speed, Of of, bool coating);
 
   /// The same over a spectrum whose terms have all the ring's times, as a sum over its relaxation times [1].
   RingCurvature over(const CreepSpectrum& deep) const;
   /// Seen through a memory, R_T of it: T in m, not 0.
   RingCurvature remembered(double length) const;
 
-  /// What it adds to k c_ww at a wavenumber along the motion [1/Pa].
+  /// What it adds to k c_ww or to k c_hoop at a wavenumber along the motion [1/Pa].
   std::complex<double> operator()(double wavenumber) const;
-  /// Re 1/pi int i k c e^{i k x} dk [1/(Pa m)]
+  /// Re 1/pi int i k c_ww e^{i k x} dk or -Re 1/pi int k c_hoop e^{i k x} dk, at 0 without what goes with ln|x|
+  /// [1/(Pa m)]
   double slope(double x) const;
-  /// Its antiderivative, Re 1/pi int [k c - at_rest() e^{-2 k depth}] e^{i k x}/k dk less
-  /// at_rest() ln(x^2 + 4 depth^2)/(2 pi), whatever the depth [1/Pa]
+  /// Its antiderivative, Re 1/pi int [k c_ww - at_rest() e^{-2 k depth}] e^{i k x}/k dk less
+  /// at_rest() ln(x^2 + 4 depth^2)/(2 pi), whatever the depth, or Re 1/pi int i c_hoop e^{i k x} dk [1/Pa]
   double displacement(double x) const;
-  /// What goes with ln|x| in the slope, as far as distances up to this length tell memories from none [1/(Pa m)].
-  double logarithmic_slope(double x, double length) const;
-  /// k c of long waves [1/Pa].
+  /// What goes with ln|x| in the slope, as far as distances up to this length tell memories from none.
+  LogarithmicSlope logarithmic_slope(double length) const;
+  /// k c_ww of long waves; 0 of shear [1/Pa].
   double at_rest() const { return at_rest_; }
   bool none() const { return parts_.empty(); }
 
@@ -52,7 +76,11 @@ class RingCurvature {
   double sum_of_parts(double x) const;
 
   MediumLayer ring_{0, 0.5, 0, {}};
-  double speed_ = 1, at_rest_ = 0;
+  double speed_ = 1;
+  Of of_ = Of::pressure;
+  bool coating_ = false;
+  double even_ = 0, odd_ = 0;              // of (even + odd n)/(n^2 - 1)
+  double step_ = 0, at_rest_ = 0;          // of all jumps together, of all poles
   std::vector<double> squares_, weights_;  // s_j, w_j
   std::vector<Part> parts_;
   std::shared_ptr<const ChebyshevTable<2>> table_;  // of slopes ahead and behind over ln|x/R|, where there are memories

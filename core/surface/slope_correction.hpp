@@ -6,13 +6,19 @@
 #include <cstddef>
 
 #include "core/surface/layer_slopes.hpp"
+#include "core/surface/ring_curvature.hpp"
 
 namespace rollres {
 
+/// What goes with ln|x| in the normal slope and in the hoop's part of the cross one, of a ring's curvature [1/m].
+struct RingLogarithms {
+  LogarithmicSlope normal, hoop;
+};
+
 /// Corrections to the elastic slopes g of an incompressible half-space of unit modulus, under unit line forces at a
-/// distance: normal, tangential, cross, as in layer_slopes.hpp. What surfaces of any layers remember beyond the creep
-/// of the material next to the contact is part of them, so that they are neither odd nor even. Not for two threads at
-/// a time.
+/// distance: normal, tangential, cross, hoop, as in layer_slopes.hpp. What surfaces of any layers remember beyond the
+/// creep of the material next to the contact is part of them, so that they are neither odd nor even. Not for two
+/// threads at a time.
 class SlopeCorrection {
  public:
   virtual ~SlopeCorrection() = default;
@@ -24,8 +30,8 @@ class SlopeCorrection {
   /// The antiderivatives that vanish far ahead with the half-space's -ln|x|/(2 pi); NaN over a half-space [1].
   virtual LayerSlopes displacement(double x) const = 0;
 
-  /// What goes with ln|x| in the normal slope, along a contact of this length: sums over points miss it [1/m].
-  virtual double logarithmic_slope(double /*x*/, double /*length*/) const { return 0; }
+  /// What sums over points miss along a contact of this length.
+  virtual RingLogarithms logarithms(double /*length*/) const { return {}; }
 
   /// Distance of the nearest face that they come from [m]: they are singular at twice as much from the real axis.
   virtual double depth() const = 0;

@@ -18,7 +18,7 @@ constexpr double long_wave = 1e-4;
 /// Of the surface and that of the body: the cross terms are opposite.
 SurfaceCompliance together(const SurfaceCompliance& below, const SurfaceCompliance& body) {
   return {below.normal + body.normal, below.longitudinal + body.longitudinal, below.cross - body.cross,
-          below.transverse + body.transverse};
+          below.transverse + body.transverse, below.hoop - body.hoop};
 }
 
 }  // namespace
@@ -74,9 +74,9 @@ SurfaceCompliance SteadySurface::long_waves() const {
   return half_space_compliance(media_.foundation.back(), 1.0 / media_.foundation.back().material(0), speed_);
 }
 
-RingCurvature SteadySurface::curvature() const {
-  if (is_ring(media_.coating)) return {media_.coating.front(), media_.backwards ? -speed_ : speed_};
-  if (is_ring(media_.foundation)) return {media_.foundation.front(), speed_};
+RingCurvature SteadySurface::curvature(RingCurvature::Of of) const {
+  if (is_ring(media_.coating)) return {media_.coating.front(), media_.backwards ? -speed_ : speed_, of, true};
+  if (is_ring(media_.foundation)) return {media_.foundation.front(), speed_, of, false};
   return {};
 }
 

@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "core/surface/layered_medium.hpp"
+#include "core/surface/ring_curvature.hpp"
 
 namespace rollres {
 
@@ -20,8 +21,6 @@ struct SurfaceMedia {
   LayeredMedium foundation, coating;  ///< the latter may be none
   bool backwards = false;             ///< the coating flows against the motion
 };
-
-class RingCurvature;
 
 class SteadySurface {
  public:
@@ -45,8 +44,8 @@ class SteadySurface {
   /// And what long waves see: the half-space below, at rest, or nothing over a rigid base [1/Pa].
   SurfaceCompliance long_waves() const;
 
-  /// What a ring's curvature adds to the half-spaces under pressure; none of flat layers.
-  RingCurvature curvature() const;
+  /// What a ring's curvature adds to the half-spaces; none of flat layers.
+  RingCurvature curvature(RingCurvature::Of of) const;
 
   double speed() const { return speed_; }  ///< [m/s]
   /// Longest of the lengths over which the surface answers: all thicknesses together, bending of a stiff layer on a

@@ -27,9 +27,13 @@ constexpr double smallest_residual = 1e-14;
 constexpr double smallest_tolerance = 1e-13;  // that rounding allows
 constexpr double largest_violation = 5e-9;    // of any law
 constexpr double of_rings = 1e-8;             // the same: between points their curvature is known to its memories
-constexpr double rounded_tail = 1e-12;        // last coefficients, relative to the largest
-constexpr double wrong_pattern = 1e-7;        // violation of an inequality that no order mends
-constexpr double plainly_wrong = 0.01;        // the same, seen at once
+/// Where a ring begins to slip its pressure has a power 3/2 of the distance: between points the laws hold to this,
+/// times the slope at the edges and the order to the power -5/2. (A braked cover: 0.55 times that, orders 10 to 157.)
+constexpr double of_sheared_rings = 2;
+constexpr double default_of_sheared_rings = 1e-6;  // tolerance, in place of the default
+constexpr double rounded_tail = 1e-12;             // last coefficients, relative to the largest
+constexpr double wrong_pattern = 1e-7;             // violation of an inequality that no order mends
+constexpr double plainly_wrong = 0.01;             // the same, seen at once
 /// Memories with inertia, in half-widths: logarithms beside shorter ones are not resolved.
 constexpr double shortest_with_inertia = 0.1;
 /// Orders of graded points at which edges are found and patterns refuted for little work, residuals and evaluations.
@@ -91,6 +95,7 @@ class SpectralContact {
         tolerance_(std::max(model.tolerance.value_or(default_spectral_tolerance), smallest_tolerance)),
         problem_(model, creep, estimate_contact(model).half_width) {
     if (problem_.graded(model.friction_coefficient > 0)) tolerance_ = std::min(tolerance_, least_graded_accuracy);
+    if (!model.tolerance && model.ring() && model.friction_coefficient > 0) tolerance_ = default_of_sheared_rings;
   }
 
   SpectralOutcome run(const std::optional<FoundZones>& near) {
@@ -99,7 +104,7 @@ class SpectralContact {
         problem_.creep_length.front() < shortest_with_inertia * problem_.half_width)
       return {{}, "inertia, and memories much shorter than the contact"};
     if (near && model_.friction_coefficient > 0) {
-      problem_.coating_moment = near->coating_moment;
+      problem_.coating_moments = near->coating_moments;
       if (refine(near->pattern, near->edges, &*near)) return finished();
       work_ = 0;
     }
@@ -318,18 +323,20 @@ class SpectralContact {
     return keep_best(assessed, told, search);
   }
 
-  /// Takes over what the tractions make of a coating's M (S18). @return by how much it changes the drive's row [N/m]
+  /// Takes over what the tractions make of a coating's M and N (S18). @return by how much they change the drive's row
+  /// [N/m]
   double take_coating(SpectralState& state) {
     if (!problem_.coating) return 0;
-    const double moment = coating_moment(problem_, state);
-    const double change = moment - problem_.coating_moment, part = problem_.shape.of_coating() * change;
-    problem_.coating_moment = moment;
-    state.driving_force -= part;
-    state.driving_torque += model_.radius * part;
-    return coating_in_drive(model_) * change;
+    const CoatingMoments before = problem_.coating_moments, now = coating_moments(problem_, state);
+    const CoatingMoments change{now.pressed - before.pressed, now.sheared - before.sheared};
+    problem_.coating_moments = now;
+    state.driving_force -= problem_.shape.of_coating() * change.pressed;
+    state.driving_torque += model_.radius * problem_.shape.of_coating() * change.in_torque();
+    return coating_in_drive(model_, change);
   }
 
-  /// The search, and again while the drive's row knows another M than the tractions make: these hardly depend on it.
+  /// The search, and again while the drive's row knows another M and N than the tractions make: these hardly depend on
+  /// it.
   std::optional<SpectralState> find_with_coating(EdgeSearch& search, SpectralEdges edges, int order, double residual,
                                                  int most_evaluations) {
     constexpr int most_passes = 8;
@@ -355,7 +362,10 @@ class SpectralContact {
   /// nothing of an inequality that is violated a little between points: if that is since the pattern is wrong, all
   /// orders of it share what it costs.
   double estimate_of(const AssessedSpectral& assessed, const Told& told) const {
-    if (!last_->graded) return cautious(told.error, assessed.violation, model_.drive);
+    if (!last_->graded) {
+      const double of_curvature = model_.ring() ? told.lever / told.scale * assessed.violation : 0;
+      return cautious(told.error, assessed.violation, model_.drive) + of_curvature;
+    }
     constexpr double per_violation = 0.03, usual_share = 0.05;  // of what so many points allow
     const double lever = told.lever / told.scale, field_error = graded_field_error(told.order);
     const double wrong = assessed.wrong_zone > usual_share * field_error ? assessed.wrong_zone : 0;
@@ -370,17 +380,22 @@ class SpectralContact {
     return per_tail * handed_on(model_.drive) * graded_tail(order) * std::sqrt(lever);
   }
   bool misses_tolerance(const AssessedSpectral& assessed, const Told& told) const {
-    return last_->graded && model_.tolerance && estimate_of(assessed, told) > *model_.tolerance;
+    return (last_->graded || last_->sheared_ring()) && model_.tolerance &&
+           estimate_of(assessed, told) > *model_.tolerance;
   }
 
   /// Whether the inequalities hold, of graded points to what their number allows.
   bool in_its_zones(const AssessedSpectral& assessed, int order) const {
     return assessed.wrong_zone < std::max(wrong_pattern, between_points(order));
   }
-  double between_points(int order) const { return last_->graded ? graded_field_error(order) : 0; }
-  /// Of graded points the laws hold where they are imposed, and in between to what their number allows.
+  double between_points(int order) const {
+    if (last_->graded) return graded_field_error(order);
+    if (!last_->sheared_ring()) return 0;
+    return of_sheared_rings * last_->edges.contact.half_length() / model_.radius * std::pow(order, -2.5);
+  }
+  /// Of graded points, and on rings, the laws hold where they are imposed, and in between to what their number allows.
   double imposed_violation(const AssessedSpectral& assessed) const {
-    return last_->graded ? assessed.solution.law_violation : assessed.violation;
+    return last_->graded || last_->sheared_ring() ? assessed.solution.law_violation : assessed.violation;
   }
 
   /// Takes the last state for the answer if all laws hold and none before was surer of itself. @return whether one is
@@ -401,14 +416,14 @@ class SpectralContact {
     const double held = ring ? of_rings : largest_violation, largest = std::max(held, between_points(told.order));
     if (!in_its_zones(assessed, told.order) || !(assessed.violation < largest) || !(imposed_violation(assessed) < held))
       return false;
-    const double relative = estimate_of(assessed, told) + (ring ? told.lever / told.scale * assessed.violation : 0);
+    const double relative = estimate_of(assessed, told);
     RollingSolution& solution = assessed.solution;
     solution.peak_pressure_error = peak_error(assessed, told);
     solution.rolling_resistance_error = relative * told.scale + problem_.left_out * std::abs(told.resistance);
     solution.error_estimate = solution.rolling_resistance_error / std::abs(told.resistance);
     scale_ = told.scale;
     best_ = std::move(assessed);
-    zones_ = {last_->pattern, last_->edges, static_cast<double>(told.order), search.slopes(), problem_.coating_moment};
+    zones_ = {last_->pattern, last_->edges, static_cast<double>(told.order), search.slopes(), problem_.coating_moments};
     return true;
   }
 

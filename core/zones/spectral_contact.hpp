@@ -26,7 +26,7 @@ struct FoundZones {
   SpectralEdges edges;
   double coefficients;  ///< that the answer took
   EdgeSearch::Slopes search;
-  double coating_moment = 0;  ///< M of (S18) [N/m]
+  CoatingMoments coating_moments;  ///< M and N of (S18) [N/m]
 };
 
 struct SpectralOutcome {

@@ -140,12 +140,13 @@ Zone SpectralField::zone(double x) const {
 
 template <class Kernel>
 SpectralField::Slopes SpectralField::sum_of_sources(const SpectralProblem& part, double x, Kernel kernel) const {
-  const double side = &part == problem_.coating.get() ? -1 : 1;
+  const double side = side_of(part);
   Slopes sum{0, 0};
   for (Index q = 0; q < state_.sources.size(); ++q) {
     LayerSlopes k = kernel(x - state_.sources(q));
-    k(layer_slope::cross) *= side;
-    sum.w -= k(layer_slope::normal) * state_.pressure_forces(q) + k(layer_slope::cross) * state_.shear_forces(q);
+    k.tail<2>() *= side;
+    sum.w -= k(layer_slope::normal) * state_.pressure_forces(q) +
+             (k(layer_slope::cross) + k(layer_slope::hoop)) * state_.shear_forces(q);
     sum.u += k(layer_slope::tangential) * state_.shear_forces(q) - k(layer_slope::cross) * state_.pressure_forces(q);
   }
   return sum;
@@ -155,10 +156,13 @@ SpectralField::Slopes SpectralField::added_slopes(const SpectralProblem& part, d
   if (!part.layered()) return {0, 0};
   Slopes sum = sum_of_sources(part, x, [&](double r) { return part.correction->slope(r); });
   if (state_.graded) return sum;
-  const auto order = static_cast<int>(state_.pressure.coefficients.size());
-  if (const Eigen::RowVectorXd missed = missed_slopes(*part.correction, state_.edges.contact, order, x);
-      missed.size() > 0)
-    sum.w -= missed.dot(state_.pressure_forces.head(order));
+  const RingLogarithms logarithms = part.correction->logarithms(2 * state_.edges.contact.half_length());
+  if (logarithms.normal.none()) return sum;
+  const std::span<const SourceRun> runs(state_.runs);
+  sum.w -= missed_of(logarithms.normal, runs.first(1), state_.sources, x)
+               .dot(state_.pressure_forces.head(runs.front().count));
+  if (state_.pattern.shear)
+    sum.w -= side_of(part) * missed_of(logarithms.hoop, runs, state_.sources, x).dot(state_.shear_forces);
   return sum;
 }
 
@@ -196,15 +200,19 @@ SpectralField::Slopes SpectralField::remembered_ahead(const SpectralProblem& par
   });
 }
 
-double SpectralField::displacement_ahead(double x) const {
-  if (!problem_.layered() || !has_rigid_base(problem_.model)) return 0;
-  const Slopes elastic = sum_of_sources(problem_, x, [&](double r) -> LayerSlopes {
-    return problem_.correction->displacement(r) + problem_.deep->displacement(r);
-  });
-  double u = problem_.rubbery_compliance * elastic.u;
-  for (std::size_t m = 0; m < problem_.creep_length.size(); ++m)
-    u += problem_.creep_compliance[m] * problem_.creep_length[m] * remembered_ahead(problem_, m, x).u;
-  return u;
+SpectralField::Slopes SpectralField::displacement_ahead(const SpectralProblem& part, double x) const {
+  if (!part.layered() || !has_rigid_base(part.model)) return {0, 0};
+  Slopes sum = sum_of_sources(
+      part, x, [&](double r) -> LayerSlopes { return part.correction->displacement(r) + part.deep->displacement(r); });
+  sum.w *= part.rubbery_compliance;
+  sum.u *= part.rubbery_compliance;
+  for (std::size_t m = 0; m < part.creep_length.size(); ++m) {
+    const Slopes mean = remembered_ahead(part, m, x);
+    const double weight = part.creep_compliance[m] * part.creep_length[m];
+    sum.w += weight * mean.w;
+    sum.u += weight * mean.u;
+  }
+  return sum;
 }
 
 }  // namespace rollres

@@ -33,12 +33,14 @@ class SpectralField {
   Slopes added_slopes(const SpectralProblem& part, double x) const;
 
   /// Well ahead of the contact, where points stand for the tractions: means R_{T_term} of those slopes, and the
-  /// displacement u of the surface [m], 0 over a half-space.
+  /// displacements w and u of the surface or of its coating's part [m], 0 over a half-space.
   Slopes remembered_ahead(const SpectralProblem& part, std::size_t term, double x) const;
-  double displacement_ahead(double x) const;
+  Slopes displacement_ahead(const SpectralProblem& part, double x) const;
 
  private:
-  /// By the kernel of a part; the cross terms of a coating are opposite (steady_surface.hpp).
+  /// Of a part's cross terms: those of a coating are opposite (steady_surface.hpp).
+  double side_of(const SpectralProblem& part) const { return &part == problem_.coating.get() ? -1 : 1; }
+  /// By the kernel of a part.
   template <class Kernel>
   Slopes sum_of_sources(const SpectralProblem& part, double x, Kernel kernel) const;
   struct Tails;  // what lies beyond a density's coefficients

@@ -23,8 +23,8 @@ double sliding_surplus(const SpectralProblem& given, const Interval& contact, do
   if (!state) return NAN;
   double surplus = drive_row(problem.model, state->driving_torque, state->driving_force) - drive_target(problem.model);
   if (problem.coating) {
-    const double moment = coating_moment(problem, *state);
-    surplus += coating_in_drive(problem.model) * (moment - problem.coating_moment);
+    surplus += coating_in_drive(problem.model, coating_moments(problem, *state)) -
+               coating_in_drive(problem.model, problem.coating_moments);
   }
   return direction * surplus;
 }

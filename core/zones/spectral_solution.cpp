@@ -24,6 +24,7 @@ class SpectralAssessment {
         state_(given_state),
         field_(given_problem, given_state),
         panels_(surface_panels(given_problem, given_state, field_)),
+        of_coating_(coating_moments(given_problem, field_, panels_)),
         law_{given_problem.model.friction_coefficient},
         half_(given_state.edges.contact.half_length()) {}
 
@@ -173,9 +174,8 @@ class SpectralAssessment {
         }
       }
     }
-    const double moment = problem_.shape.of_coating() * coating_moment(panels_);
-    torque += model.radius * moment;
-    force -= moment;
+    torque += model.radius * problem_.shape.of_coating() * of_coating_.in_torque();
+    force -= problem_.shape.of_coating() * of_coating_.pressed;
     // The resultants once more, on the fine points.
     if (model.load) violated(std::abs(load - *model.load) / *model.load);
     if (model.approach) violated(std::abs(s_.approach - *model.approach) / *model.approach);
@@ -184,7 +184,9 @@ class SpectralAssessment {
       violated(std::abs(drive_row(model, torque, force) - drive_target(model)) / load);
     }
     assessed_.violation = worst;
-    s_.law_violation = state_.graded ? violated_at_nodes(shear_scale) : worst;
+    s_.law_violation = state_.graded           ? violated_at_nodes(shear_scale)
+                       : state_.sheared_ring() ? state_.residuals.cwiseAbs().maxCoeff()
+                                               : worst;
   }
 
   /// Where the laws are imposed: at the middles by a linear system, of which the residuals are left, and at nodes but
@@ -222,7 +224,8 @@ class SpectralAssessment {
         layer +=
             (turning - 1) * (panel.weights * (panel.pressure * panel.coating_w - panel.shear * panel.coating_u)).sum();
     }
-    geometry += (problem_.shape.of_coating() - 1) * (turning - 1) * coating_moment(panels_);
+    layer -= turning * of_coating_.sheared;
+    geometry += (problem_.shape.of_coating() - 1) * (turning - 1) * of_coating_.pressed;
     s_.viscous_loss = model.speed * layer;
     s_.frictional_loss = model.speed * friction;
     const double power = s_.rolling_resistance * model.speed;
@@ -245,7 +248,7 @@ class SpectralAssessment {
     for (std::vector<double>* values : {&fields.u, &fields.w, &fields.pressure, &fields.shear_x, &fields.slip_x})
       values->assign(columns, 0);
     fields.zone.assign(columns, Zone::free);
-    double u = field_.displacement_ahead(panels_.front().to);
+    double u = field_.displacement_ahead(problem_, panels_.front().to).u;
     const double approach = std::isnan(state_.approach) ? 0 : state_.approach;
     const double rounding = 1e-9 * half_;  // the window may end where the panels do
     int column = grid.columns - 1;
@@ -276,6 +279,7 @@ class SpectralAssessment {
   const SpectralState& state_;
   SpectralField field_;
   std::vector<SurfacePanel> panels_;
+  CoatingMoments of_coating_;
   FrictionLaw law_;
   double half_;
   AssessedSpectral assessed_;

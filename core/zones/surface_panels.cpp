@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <optional>
 #include <utility>
 
@@ -61,67 +62,82 @@ const PanelRule& panel_rule() {
 }
 
 /// What finite thickness adds to the elastic slopes, as Chebyshev series on panels no wider than the depth it comes
-/// from: it is singular at twice that distance from the surface. A ring's, which goes with x ln|x|, is smooth in x
-/// along the contact, and outside it in the angle of x = centre +- half cosh(angle).
+/// from: it is singular at twice that distance from the surface. A ring's, which goes with ln|x|, is smooth in x
+/// outside the contact in the angle of x = centre +- half cosh(angle), and between the ends of zones in that of x =
+/// centre + half sin(angle).
 class AddedSlopes {
  public:
   /// Between these places; elsewhere, and where there would be more nodes than `most`, it is summed anew.
-  AddedSlopes(const SpectralProblem& part, const SpectralField& field, const Interval& contact, double from, double to,
-              std::size_t most)
-      : part_(part), field_(field), contact_(contact), layered_(part.layered()), from_(from), to_(to) {
-    if (!layered_) return;
-    const double half = contact.half_length();
-    by_angle_ = part.correction->logarithmic_slope(half, 2 * half) != 0;
-    if (!by_angle_) {
-      tabulate(along_, from, to, most, [&](double x) { return x; });
+  AddedSlopes(const SpectralProblem& part, const SpectralField& field, const SpectralEdges& edges, double from,
+              double to, std::size_t most)
+      : part_(part), field_(field), most_(most) {
+    if (!part.layered()) return;
+    const Interval& contact = edges.contact;
+    if (part.correction->logarithms(2 * contact.half_length()).normal.none()) {
+      tabulate(from, to, from, to, [](double x) { return x; });
       return;
     }
-    tabulate(along_, contact.from, contact.to, most, [&](double x) { return x; });
+    const double centre = contact.centre(), half = contact.half_length();
+    const auto angle = [=](double x) { return std::acosh(std::max(1.0, std::abs((x - centre) / half))); };
     if (from < contact.from)
-      tabulate(behind_, 0, angle(from), most, [&](double at) { return contact.centre() - half * std::cosh(at); });
+      tabulate(from, contact.from, angle(from), 0, angle, [=](double at) { return centre - half * std::cosh(at); });
+    std::vector<double> ends{contact.from};
+    for (const Interval& stick : edges.sticks)
+      for (const double end : {stick.from, stick.to})
+        if (end > ends.back()) ends.push_back(end);
+    if (contact.to > ends.back()) ends.push_back(contact.to);
+    for (std::size_t i = 0; i + 1 < ends.size(); ++i) {
+      const Interval zone{ends[i], ends[i + 1]};
+      tabulate(
+          zone.from, zone.to, -M_PI / 2, M_PI / 2,
+          [=](double x) { return std::asin(std::clamp(place_in(zone, x), -1.0, 1.0)); },
+          [=](double at) { return zone.centre() + zone.half_length() * std::sin(at); });
+    }
     if (to > contact.to)
-      tabulate(ahead_, 0, angle(to), most, [&](double at) { return contact.centre() + half * std::cosh(at); });
+      tabulate(contact.to, to, 0, angle(to), angle, [=](double at) { return centre + half * std::cosh(at); });
   }
 
   SpectralField::Slopes operator()(double x) const {
-    if (!layered_) return {0, 0};
-    if (!(x >= from_ && x <= to_)) return field_.added_slopes(part_, x);
-    if (by_angle_ && x > contact_.to) return from_table(ahead_, angle(x), x);
-    if (by_angle_ && x < contact_.from) return from_table(behind_, angle(x), x);
-    return from_table(along_, x, x);
+    if (!part_.layered()) return {0, 0};
+    for (const Stretch& stretch : stretches_)
+      if (x >= stretch.from && x <= stretch.to) {
+        const Eigen::Array2d sum = stretch.table(stretch.variable(x));
+        return {sum(0), sum(1)};
+      }
+    return field_.added_slopes(part_, x);
   }
 
  private:
-  using Table = std::optional<ChebyshevTable<2>>;
-
-  double angle(double x) const { return std::acosh(std::max(1.0, std::abs(place_in(contact_, x)))); }
-
-  SpectralField::Slopes from_table(const Table& table, double at, double x) const {
-    if (!table) return field_.added_slopes(part_, x);
-    const Eigen::Array2d sum = (*table)(at);
-    return {sum(0), sum(1)};
-  }
+  struct Stretch {
+    double from, to;
+    std::function<double(double)> variable;  // of the place
+    ChebyshevTable<2> table;
+  };
 
   /// @param place of a variable between these bounds
   template <class Place>
-  void tabulate(Table& table, double from, double to, std::size_t most, const Place& place) {
-    const double panels = std::ceil(std::abs(place(to) - place(from)) / part_.correction->depth());
-    if (panels * (degree + 1) > static_cast<double>(most)) return;
+  void tabulate(double from, double to, double first, double last, std::function<double(double)> variable,
+                const Place& place) {
+    const double panels = std::ceil((to - from) / part_.correction->depth());
+    if (panels * (degree + 1) > static_cast<double>(most_)) return;
+    if (last < first) std::swap(first, last);
     std::vector<double> borders;
-    for (int i = 0; i <= static_cast<int>(panels); ++i) borders.push_back(from + (to - from) * i / panels);
-    table.emplace(std::move(borders), degree, [&](double at) {
-      const SpectralField::Slopes value = field_.added_slopes(part_, place(at));
-      return Eigen::Array2d(value.w, value.u);
-    });
+    for (int i = 0; i <= static_cast<int>(panels); ++i) borders.push_back(first + (last - first) * i / panels);
+    stretches_.push_back({from, to, std::move(variable), ChebyshevTable<2>(std::move(borders), degree, [&](double at) {
+                            const SpectralField::Slopes value = field_.added_slopes(part_, place(at));
+                            return Eigen::Array2d(value.w, value.u);
+                          })});
+  }
+  template <class Place>
+  void tabulate(double from, double to, double first, double last, const Place& place) {
+    tabulate(from, to, first, last, place, place);
   }
 
   static constexpr int degree = 17;
   const SpectralProblem& part_;
   const SpectralField& field_;
-  Interval contact_;
-  bool layered_, by_angle_ = false;
-  double from_, to_;
-  Table along_, ahead_, behind_;
+  std::size_t most_;
+  std::vector<Stretch> stretches_;
 };
 
 /// Ends at which tractions or slopes have roots of the distance [m].
@@ -300,7 +316,7 @@ class MarchedSlopes {
                 const SpectralField& field, const std::vector<double>& borders, double end)
       : part_(part),
         field_(field),
-        added_(part, field, state.edges.contact, end, state.edges.contact.to + 0.5 * state.edges.contact.half_length(),
+        added_(part, field, state.edges, end, state.edges.contact.to + 0.5 * state.edges.contact.half_length(),
                (borders.size() - 1) * PanelRule::count / 2),
         memories_(memories_ahead(part, field, borders.front(), from_points(problem))) {}
 
@@ -321,10 +337,29 @@ class MarchedSlopes {
   Memories memories_;
 };
 
-/// Of the power that the pressure gives to the coating over R Omega.
-double moment_of(const SurfacePanel& panel, const ArrayXd& coating_w) {
-  return panel.zone == Zone::free ? 0 : (panel.weights * panel.pressure * coating_w).sum();
-}
+/// M and N of (S18), panel by panel.
+class SumOfMoments {
+ public:
+  /// @param ahead the leading end of the first panel [m]
+  SumOfMoments(const SpectralProblem& problem, const SpectralField& field, double ahead)
+      : over_radius_(problem.model.ring() && problem.model.friction_coefficient > 0 ? 1 / problem.model.radius : 0) {
+    if (over_radius_ > 0) w_ = field.displacement_ahead(*problem.coating, ahead).w;
+  }
+
+  void add(const SurfacePanel& panel, const ArrayXd& coating_w) {
+    const bool contact = panel.zone != Zone::free;
+    if (contact) moments.pressed += (panel.weights * panel.pressure * coating_w).sum();
+    if (over_radius_ == 0) return;
+    const ArrayXd moved = w_ + panel.integrated(coating_w);
+    if (contact) moments.sheared += over_radius_ * (panel.weights * panel.shear * moved).sum();
+    w_ = moved(PanelRule::last);
+  }
+
+  CoatingMoments moments;
+
+ private:
+  double over_radius_, w_ = 0;  // of a ring with friction; the coating's part of w [m]
+};
 
 }  // namespace
 
@@ -351,25 +386,26 @@ std::vector<SurfacePanel> surface_panels(const SpectralProblem& problem, const S
   return panels;
 }
 
-double coating_moment(const std::vector<SurfacePanel>& panels) {
-  double sum = 0;
-  for (const SurfacePanel& panel : panels)
-    if (panel.coating_w.size() > 0) sum += moment_of(panel, panel.coating_w);
-  return sum;
+CoatingMoments coating_moments(const SpectralProblem& problem, const SpectralField& field,
+                               const std::vector<SurfacePanel>& panels) {
+  if (!problem.coating) return {};
+  SumOfMoments sum(problem, field, panels.front().to);
+  for (const SurfacePanel& panel : panels) sum.add(panel, panel.coating_w);
+  return sum.moments;
 }
 
-double coating_moment(const SpectralProblem& problem, const SpectralState& state) {
-  if (!problem.coating) return 0;
+CoatingMoments coating_moments(const SpectralProblem& problem, const SpectralState& state) {
+  if (!problem.coating) return {};
   const SpectralField field(problem, state);
   const std::vector<double> borders = panel_borders(problem, state);
   const double end = state.edges.contact.from;
   MarchedSlopes coating(problem, *problem.coating, state, field, borders, end);
-  double sum = 0;
+  SumOfMoments sum(problem, field, borders.front());
   for (std::size_t i = 1; i < borders.size() && borders[i] >= end; ++i) {
     const SurfacePanel panel = loaded_panel(field, borders[i], borders[i - 1]);
-    sum += moment_of(panel, coating.next(panel).col(0));
+    sum.add(panel, coating.next(panel).col(0));
   }
-  return sum;
+  return sum.moments;
 }
 
 }  // namespace rollres

@@ -31,9 +31,11 @@ struct SurfacePanel {
 std::vector<SurfacePanel> surface_panels(const SpectralProblem& problem, const SpectralState& state,
                                          const SpectralField& field);
 
-/// M of (S18): int p c_x dx, the power over R Omega that the pressure gives to the coating [N/m]. 0 without one.
-double coating_moment(const std::vector<SurfacePanel>& panels);
+/// M and N of (S18): int p c_x dx, the power over R Omega that the pressure gives to the coating, and of a ring int tau
+/// c/R dx, by which the shear gives it less [N/m]. 0 without one.
+CoatingMoments coating_moments(const SpectralProblem& problem, const SpectralField& field,
+                               const std::vector<SurfacePanel>& panels);
 /// The same without panels.
-double coating_moment(const SpectralProblem& problem, const SpectralState& state);
+CoatingMoments coating_moments(const SpectralProblem& problem, const SpectralState& state);
 
 }  // namespace rollres

@@ -1,5 +1,6 @@
 #include "core/numerics/quadrature.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 #include "tests/catch.hpp"
@@ -107,5 +108,34 @@ TEST_CASE("the rule for a fading memory follows x log x at the end of a panel", 
     INFO("memory " << memory);
     CHECK(std::abs(integrate(at_left, memory, from_left) - memory_integral(0, length, memory, from_left)) < scale);
     CHECK(std::abs(integrate(at_right, memory, from_right) - memory_integral(0, length, memory, from_right)) < scale);
+  }
+}
+
+TEST_CASE("Gauss's rule is mended for a logarithm on the interval, beside it and off the axis", "[core][quadrature]") {
+  constexpr int order = 24;
+  const QuadratureRule& rule = gauss_rule(order);
+  const auto smooth = [](double s) { return std::exp(s) * (1 + std::cos(3 * s)); };
+  for (const std::complex<double> place :
+       {std::complex<double>(0.3), std::complex<double>(0.999), std::complex<double>(0.0), std::complex<double>(1.02),
+        std::complex<double>(-0.3), std::complex<double>(4.0), std::complex<double>(0.4, 0.01),
+        std::complex<double>(0.0, 0.3), std::complex<double>(1.0, -2.0)}) {
+    CAPTURE(place);
+    const Eigen::RowVectorXd missed = gauss_logarithm_missed(order, place);
+    double mended = 0, integral = 0;
+    for (std::size_t q = 0; q < rule.nodes.size(); ++q)
+      mended += rule.weights[q] * smooth(rule.nodes[q]) *
+                (std::log(std::abs(place - rule.nodes[q])) + missed(static_cast<Eigen::Index>(q)));
+    // By pieces that narrow towards the place from both sides.
+    const double at = std::clamp(place.real(), 0.0, 1.0);
+    for (const double end : {0.0, 1.0}) {
+      if (end == at) continue;
+      for (double part = 1; part > 1e-15; part *= 0.5)
+        for (std::size_t q = 0; q < rule.nodes.size(); ++q) {
+          const double share = part * (0.5 + 0.5 * rule.nodes[q]), s = at + (end - at) * share;
+          const double distance = std::abs(place - at - (end - at) * share);
+          integral += 0.5 * part * std::abs(end - at) * rule.weights[q] * smooth(s) * std::log(distance);
+        }
+    }
+    CHECK(mended == Approx(integral).epsilon(1e-12).margin(1e-12));
   }
 }

@@ -59,6 +59,7 @@ TEST_CASE("a ring answers harmonic by harmonic as Michell's stress functions say
         CHECK(c.normal.real() == Approx(exact(0, 0)).epsilon(1e-9));
         CHECK(n * c.longitudinal.real() == Approx(n * exact(1, 1) + exact(0, 1)).epsilon(1e-9));
         CHECK(-n * c.cross.real() == Approx(n * exact(1, 0) + exact(0, 0)).margin(1e-9 * exact(0, 0)));
+        CHECK(-(c.cross + c.hoop).real() == Approx(exact(0, 1)).margin(1e-9 * exact(0, 0)));
       }
 }
 
@@ -87,6 +88,7 @@ TEST_CASE("a ring cut in two, or in five, is the same ring", "[core][ring_compli
         CHECK(std::abs(c.normal - whole.normal) < 1e-11 * std::abs(whole.longitudinal));
         CHECK(std::abs(c.longitudinal - whole.longitudinal) < 1e-11 * std::abs(whole.longitudinal));
         CHECK(std::abs(c.cross - whole.cross) < 1e-11 * std::abs(whole.longitudinal));
+        CHECK(std::abs(c.hoop - whole.hoop) < 1e-11 * std::abs(whole.longitudinal));
       }
     }
 }
