@@ -9,9 +9,10 @@
 /// b running between four limits: of thick and thin layers by A = a/(a + H), of frequencies far above the peak of loss
 /// and far below it by U = (1 + d ln G''/d ln omega)/2, plus what compressible layers add below the peak, U (1 - 2 nu)
 /// times a factor, and lossy ones, tan delta/(1 + tan delta) times a factor; a is half the length of the contact, G''
-/// and tan delta are those at omega = V/a. The factors are fitted to drawn pairs of solutions (tests/benchmark/
-/// linearity.py draws and fits them), layers on a rigid base and rings on a rigid core: 0.02 < a/H < 5, d/H < 0.33,
-/// nu >= 0.35, mu <= 0.8, Zener and Prony solids. On half-spaces no pair with a/R < 0.6 differed by more than 0.15 a/R.
+/// and tan delta are those at omega = V/a. Of rings with friction (a/R)(R_r/P) times a factor is added. The factors are
+/// fitted to drawn pairs of solutions (tests/benchmark/ linearity.py draws and fits them), layers on a rigid base and
+/// rings on a rigid core: 0.02 < a/H < 5, d/H < 0.33, nu >= 0.35, mu <= 0.8, Zener and Prony solids. On half-spaces no
+/// pair with a/R < 0.6 differed by more than 0.15 a/R.
 
 #include <optional>
 
@@ -30,8 +31,8 @@ struct LinearityError {
 /// torque or rotation, printed kinematics, elastic layers, mostly frictional resistance, beyond those ranges.
 std::optional<LinearityError> linearity_error(const ContactModel& model, const RollingSolution& linear);
 
-/// d/H, H the thickness of the only layer that yields, or of all layers where several do [1]; NaN without an approach or
-/// over a half-space.
+/// d/H, H the thickness of the only layer that yields, or of all layers where several do [1]; NaN without an approach
+/// or over a half-space.
 double strain_number(const ContactModel& model, const RollingSolution& solution);
 
 }  // namespace rollres

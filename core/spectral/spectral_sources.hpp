@@ -4,6 +4,7 @@
 /// resultants.
 
 #include <Eigen/Core>
+#include <cmath>
 #include <functional>
 #include <span>
 #include <vector>
@@ -33,6 +34,11 @@ using LayerKernel = std::function<LayerSlopes(double)>;
 /// (core/spectral/README.md, (S2)).
 Eigen::MatrixXd normal_slopes(const TractionSources& sources, const LayerKernel& layer, const Eigen::VectorXd& x);
 Eigen::MatrixXd tangential_slopes(const TractionSources& sources, const LayerKernel& layer, const Eigen::VectorXd& x);
+
+/// Between the points of a contact, in its middle [m].
+inline double finest_distance(const Interval& contact, Eigen::Index points) {
+  return M_PI * contact.half_length() / static_cast<double>(points);
+}
 
 /// What the sums at x miss of a kernel's part that goes with ln|x|, of a ring's curvature: by forces at the sources of
 /// these runs, to be added to the kernel [1/m].

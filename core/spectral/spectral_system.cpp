@@ -85,20 +85,20 @@ class System : private ZonedSystem {
     if (terms_ > 0) matrix_.block(0, amplitude_, n_ + 1, terms_) = -rule_.images * memory_.series;
     if (problem_.layered()) {
       matrix_.topRows(n_ + 1) += normal_slopes(sources_, layer(), x);
-      add_missed(x);
+      mend(problem_.correction->logarithms(finest_distance(edges_.contact, n_)), x, matrix_);
     }
     prescribe_contact(x);
   }
 
-  /// What sums over the sources miss of a ring's logarithms (S24a).
-  void add_missed(const VectorXd& x) {
-    const RingLogarithms logarithms = problem_.correction->logarithms(2 * edges_.contact.half_length());
+  /// Takes what sums over the sources miss of a ring's logarithms (S24a) from rows of g_w, or of its means, at x.
+  template <class Rows>
+  void mend(const RingLogarithms& logarithms, const VectorXd& x, Rows&& rows) const {
     if (logarithms.normal.none()) return;
     const std::span<const SourceRun> runs(sources_.runs);
-    for (Index i = 0; i <= n_; ++i) {
-      matrix_.row(i).head(n_) -=
-          missed_of(logarithms.normal, runs.first(1), sources_.x, x(i)) * sources_.of_pressure.topLeftCorner(n_, n_);
-      if (pattern_.shear) matrix_.row(i) -= missed_of(logarithms.hoop, runs, sources_.x, x(i)) * sources_.of_shear;
+    for (Index i = 0; i < x.size(); ++i) {
+      rows.row(i).head(n_) -= missed_of(logarithms.normal, runs.first(1), sources_.x, x(i)) *
+                              sources_.of_pressure.topLeftCorner(n_, n_);
+      if (pattern_.shear) rows.row(i) -= missed_of(logarithms.hoop, runs, sources_.x, x(i)) * sources_.of_shear;
     }
   }
 
@@ -110,7 +110,10 @@ class System : private ZonedSystem {
       require_time();
       means_.row(m).head(n_) = 0.5 * memory_.memory.col(m).tail(n_).transpose();
       means_.row(m).segment(amplitude_, terms_) = memory_.tails.col(m).transpose();
-      if (problem_.layered()) means_.row(m) += normal_slopes(sources_, remembered(m), leading_edge);
+      if (!problem_.layered()) continue;
+      means_.row(m) += normal_slopes(sources_, remembered(m), leading_edge);
+      mend(problem_.correction->memory_logarithms(static_cast<std::size_t>(m), finest_distance(edges_.contact, n_)),
+           leading_edge, means_.middleRows(m, 1));
     }
     remember(amplitude_, means_);
   }

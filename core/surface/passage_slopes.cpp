@@ -72,8 +72,13 @@ LayerSlopes PassageSlopes::memory(std::size_t term, double x) const {
   return sum;
 }
 
-RingLogarithms PassageSlopes::logarithms(double length) const {
-  return {pressed_.logarithmic_slope(length), sheared_.logarithmic_slope(length)};
+RingLogarithms PassageSlopes::logarithms(double finest) const {
+  return {pressed_.logarithmic_slope(finest), sheared_.logarithmic_slope(finest)};
+}
+
+RingLogarithms PassageSlopes::memory_logarithms(std::size_t term, double finest) const {
+  if (pressed_.none()) return {};
+  return {pressed_memory_[term].logarithmic_slope(finest), sheared_memory_[term].logarithmic_slope(finest)};
 }
 
 LayerSlopes PassageSlopes::displacement(double x) const {

@@ -35,7 +35,8 @@ class PassageSlopes final : public SlopeCorrection {
   LayerSlopes displacement(double x) const override;
   double depth() const override { return depth_; }
   double reach() const override { return INFINITY; }
-  RingLogarithms logarithms(double length) const override;
+  RingLogarithms logarithms(double finest) const override;
+  RingLogarithms memory_logarithms(std::size_t term, double finest) const override;
 
  private:
   static constexpr std::size_t slopes_ = 0, displacements_ = 1, first_memory_ = 2;

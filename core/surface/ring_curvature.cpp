@@ -18,8 +18,8 @@ constexpr double euler = 0.57721566490153286;
 /// Of the powers of x/R, up to x = R: 2^27/27! is 1e-20.
 constexpr std::size_t series_terms = 14;
 constexpr double nearest_tabled = 1e-7;  // of the radius
-/// Of a length, below which a memory counts as at once in its logarithms: the exponentials would grow along it.
-constexpr double short_share = 0.06;
+/// Of the finest distance, below which a memory counts as at once in its logarithms.
+constexpr double short_share = 0.7;
 
 /// R_T of 1/x for lengths of either sign: a negative one is of a memory that lies ahead.
 double mean_of_pole(double x, double length) {
@@ -217,12 +217,12 @@ double RingCurvature::displacement(double x) const {
   return sum;
 }
 
-LogarithmicSlope RingCurvature::logarithmic_slope(double length) const {
+LogarithmicSlope RingCurvature::logarithmic_slope(double finest) const {
   if (none()) return {};
   MediumLayer told_apart = ring_;
   told_apart.material = {.instantaneous = ring_.material.instantaneous, .terms = {}};
   for (const CreepSpectrum::Term& term : ring_.material.terms)
-    if (std::abs(speed_ * term.time) < short_share * length)
+    if (std::abs(speed_ * term.time) < short_share * finest)
       told_apart.material.instantaneous += term.compliance;
     else
       told_apart.material.terms.push_back(term);

@@ -20,13 +20,18 @@
 
 namespace rollres {
 
-/// What goes with ln|x| in slopes, as a sum of exponentials of the distance.
+/// What goes with ln|x| in slopes, as a sum of exponentials of the distance. They fade where they would grow far beyond
+/// the slopes themselves: what is left there is smooth without them.
 class LogarithmicSlope {
  public:
   /// @return [1/(Pa m)]
   double operator()(double x) const {
+    constexpr double faded = 0.25;
     double sum = 0;
-    for (const Term& term : terms) sum += term.weight * std::exp(x / term.length);
+    for (const Term& term : terms) {
+      const double z = x / term.length;
+      sum += term.weight * std::exp(z - std::pow(faded * z, 8));
+    }
     return sum;
   }
   bool none() const { return terms.empty(); }
@@ -60,8 +65,8 @@ class RingCurvature {
   /// Its antiderivative, Re 1/pi int [k c_ww - at_rest() e^{-2 k depth}] e^{i k x}/k dk less
   /// at_rest() ln(x^2 + 4 depth^2)/(2 pi), whatever the depth, or Re 1/pi int i c_hoop e^{i k x} dk [1/Pa]
   double displacement(double x) const;
-  /// What goes with ln|x| in the slope, as far as distances up to this length tell memories from none.
-  LogarithmicSlope logarithmic_slope(double length) const;
+  /// What goes with ln|x| in the slope. @param finest distance [m]: memories that it does not tell from none are none
+  LogarithmicSlope logarithmic_slope(double finest) const;
   /// k c_ww of long waves; 0 of shear [1/Pa].
   double at_rest() const { return at_rest_; }
   bool none() const { return parts_.empty(); }

@@ -30,8 +30,10 @@ class SlopeCorrection {
   /// The antiderivatives that vanish far ahead with the half-space's -ln|x|/(2 pi); NaN over a half-space [1].
   virtual LayerSlopes displacement(double x) const = 0;
 
-  /// What sums over points miss along a contact of this length.
-  virtual RingLogarithms logarithms(double /*length*/) const { return {}; }
+  /// What sums over points miss. @param finest distance between them [m]
+  virtual RingLogarithms logarithms(double /*finest*/) const { return {}; }
+  /// The same of the means over a memory.
+  virtual RingLogarithms memory_logarithms(std::size_t /*term*/, double /*finest*/) const { return {}; }
 
   /// Distance of the nearest face that they come from [m]: they are singular at twice as much from the real axis.
   virtual double depth() const = 0;

@@ -156,7 +156,8 @@ SpectralField::Slopes SpectralField::added_slopes(const SpectralProblem& part, d
   if (!part.layered()) return {0, 0};
   Slopes sum = sum_of_sources(part, x, [&](double r) { return part.correction->slope(r); });
   if (state_.graded) return sum;
-  const RingLogarithms logarithms = part.correction->logarithms(2 * state_.edges.contact.half_length());
+  const RingLogarithms logarithms = part.correction->logarithms(
+      finest_distance(state_.edges.contact, state_.runs.empty() ? 1 : state_.runs.front().count));
   if (logarithms.normal.none()) return sum;
   const std::span<const SourceRun> runs(state_.runs);
   sum.w -= missed_of(logarithms.normal, runs.first(1), state_.sources, x)

@@ -73,7 +73,7 @@ class AddedSlopes {
       : part_(part), field_(field), most_(most) {
     if (!part.layered()) return;
     const Interval& contact = edges.contact;
-    if (part.correction->logarithms(2 * contact.half_length()).normal.none()) {
+    if (part.correction->logarithms(contact.half_length()).normal.none()) {
       tabulate(from, to, from, to, [](double x) { return x; });
       return;
     }

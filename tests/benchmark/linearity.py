@@ -2,9 +2,9 @@
 and at finite strain under the same load and under the same approach, and fits ln(R_r finite / R_r linear) by the limits
 of core/estimate/linearity_error.hpp.
 
-    python3 tests/benchmark/linearity.py draw build/release/rollres layer 450 1 >>pairs.jsonl    (kind, scenes, seed)
-    python3 tests/benchmark/linearity.py draw build/release/rollres ring 450 2 >>pairs.jsonl
-    python3 tests/benchmark/linearity.py draw build/release/rollres thick 100 3 >>pairs.jsonl
+    python3 tests/benchmark/linearity.py draw build/release/rollres layer 220 1 >>pairs.jsonl    (kind, scenes, seed)
+    python3 tests/benchmark/linearity.py draw build/release/rollres ring 300 2 >>pairs.jsonl
+    python3 tests/benchmark/linearity.py draw build/release/rollres thick 70 3 >>pairs.jsonl
     python3 tests/benchmark/linearity.py fit pairs.jsonl                                         (needs numpy)
 
 `fit` prints the factors as linearity_error.cpp has them, and what they miss of the pairs left out in turn.
@@ -103,10 +103,12 @@ def features(pair, finite):
     if share > 0.3 or (friction > 0 and lever < 0.01):
         return None
     ratio, loss, below = half / THICKNESS, here.imag / here.real, (1 + slope) / 2
-    thin = ratio / (1 + ratio)
-    return (linear["approach"] / THICKNESS,
+    thin, strain = ratio / (1 + ratio), linear["approach"] / THICKNESS
+    sheared = pair["kind"] == "ring" and friction > 0
+    of_ring = half / scene["radius"] * linear["rolling_resistance"] / linear["load"] / strain if sheared else 0
+    return (strain,
             [(1 - thin) * (1 - below), (1 - thin) * below, thin * (1 - below), thin * below,
-             below * (1 - 2 * layer["poisson_ratio"]), loss / (1 + loss)],
+             below * (1 - 2 * layer["poisson_ratio"]), loss / (1 + loss), of_ring],
             math.log(answer["rolling_resistance"] / linear["rolling_resistance"]))
 
 
