@@ -198,7 +198,8 @@ std::optional<double> model_error(const std::vector<Assumption>& all) {
   for (const Assumption& assumption : all) {
     if (assumption.of_inputs) continue;
     if (!assumption.change) return {};
-    sum += *assumption.change * *assumption.change + assumption.scatter * assumption.scatter;
+    const double most = std::abs(*assumption.change) + assumption.scatter;
+    sum += most * most;
   }
   return std::sqrt(sum);
 }

@@ -19,12 +19,12 @@ int wrapped(int n, int size) { return ((n % size) + size) % size; }
 }  // namespace
 
 InfluenceTable periodic_table(const SymbolsAlong& symbols, double period, int terms, double cell_x, double cell_y,
-                              int reach_x, int reach_y) {
+                              int reach_x, int reach_y, bool ring) {
   using complex = std::complex<double>;
   const bool sphere = reach_y > 0;
   const int columns = std::max(checked_count(period / cell_x, "cells of the period"), 2 * reach_x + 1);
   const int rows = sphere ? std::max(checked_count(period / cell_y, "cells of the period"), 2 * reach_y + 1) : 1;
-  const int components = sphere ? 6 : 3;
+  const int components = sphere ? 6 : ring ? 4 : 3;
   const double cells = static_cast<double>(columns) * rows;
   // A length that is a prime number takes FFTW (3.3.10) the most of both.
   const double bytes_per_cell = 8.0 * components + (sphere ? 12 : 60), seconds_per_cell = 0.85e-6;
@@ -34,8 +34,9 @@ InfluenceTable periodic_table(const SymbolsAlong& symbols, double period, int te
   const int half = columns / 2 + 1, terms_y = sphere ? terms : 0;
 
   // Spectra by rows of ky; kx >= 0 only, as the coefficients are real.
-  std::array<FftBuffer<complex>, 6> spectra;
-  constexpr std::array<std::size_t, 3> line_components{coefficient::ww, coefficient::uu, coefficient::uw};
+  constexpr std::size_t hoop = 6;
+  std::array<FftBuffer<complex>, 7> spectra;
+  constexpr std::array<std::size_t, 4> line_components{coefficient::ww, coefficient::uu, coefficient::uw, hoop};
   const auto component_at = [&](int component) {
     return sphere ? static_cast<std::size_t>(component) : line_components[static_cast<std::size_t>(component)];
   };
@@ -62,6 +63,7 @@ InfluenceTable periodic_table(const SymbolsAlong& symbols, double period, int te
       spectra[ww][at] += factor * c.normal;
       spectra[uu][at] += factor * (k > 0 ? lx * lx * c.longitudinal + ly * ly * c.transverse : c.longitudinal);
       spectra[uw][at] += i_factor * lx * c.cross;
+      if (ring) spectra[hoop][at] += i_factor * lx * c.hoop;
       if (!sphere) continue;
       spectra[vv][at] += factor * (k > 0 ? ly * ly * c.longitudinal + lx * lx * c.transverse : c.transverse);
       spectra[uv][at] += factor * lx * ly * (c.longitudinal - c.transverse);
@@ -70,7 +72,9 @@ InfluenceTable periodic_table(const SymbolsAlong& symbols, double period, int te
   }
 
   InfluenceTable table(reach_x, reach_y);
-  const std::array<std::vector<double>*, 6> targets{&table.ww, &table.uu, &table.vv, &table.uv, &table.uw, &table.vw};
+  if (ring) table.bend();
+  const std::array<std::vector<double>*, 7> targets{&table.ww, &table.uu, &table.vv,  &table.uv,
+                                                    &table.uw, &table.vw, &table.hoop};
   FftBuffer<double> field(static_cast<std::size_t>(rows) * static_cast<std::size_t>(columns));
   for (int component = 0; component < components; ++component) {
     const std::size_t c = component_at(component);

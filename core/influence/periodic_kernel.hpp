@@ -19,8 +19,8 @@ using SymbolsAlong = std::function<SymbolsAcross(double along)>;
 
 /// The sums run over wavenumbers 2 pi n / L, |n| <= terms, in each direction; the period is rounded to a whole number
 /// of cells.
-/// @param period L [m]   @param reach_y 0 for a cylinder
+/// @param period L [m]   @param reach_y 0 for a cylinder   @param ring whether the hoop's part is wanted, of a cylinder
 InfluenceTable periodic_table(const SymbolsAlong& symbols, double period, int terms, double cell_x, double cell_y,
-                              int reach_x, int reach_y);
+                              int reach_x, int reach_y, bool ring = false);
 
 }  // namespace rollres

@@ -152,6 +152,7 @@ TEST_CASE("the model's error is the sum in squares of what its assumptions cost,
   const Assumption one{"a", "1", 0.03, 0}, other{"b", "2", 0.0, 0.04}, unknown{"c", "3", {}, 0, "why"},
       input{"d", "4", {}, 0, "", true};
   CHECK(model_error({one, other, input}) == Approx(0.05));
+  CHECK(model_error({{"a", "1", -0.03, 0.01}}) == Approx(0.04));
   CHECK_FALSE(model_error({one, unknown}));
   CHECK(in_words(one) == "a (1): without it R_r +3 %");
   CHECK(in_words(other) == "b (2): without it R_r within 4 %");

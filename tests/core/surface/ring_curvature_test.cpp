@@ -72,14 +72,14 @@ TEST_CASE("a ring without memory has its logarithm alone at the force", "[core][
   MediumLayer elastic = cover(0.5);
   elastic.material.terms.clear();
   const RingCurvature curvature(elastic, 1, RingCurvature::Of::pressure, false);
-  const LogarithmicSlope logarithmic = curvature.logarithmic_slope(0.1);
+  const LogarithmicSlope logarithmic = curvature.logarithmic_slope(0.01);
   const auto rest = [&](double x) { return curvature.slope(x) - logarithmic(x) * std::log(std::abs(x)); };
   // What is left is smooth: its differences at half the distance are half of it.
   CHECK(rest(1e-3) / rest(5e-4) == Approx(2).epsilon(1e-6));
   // A memory as long as the distances has an even part as well, and so has shear.
   for (const auto of : {RingCurvature::Of::pressure, RingCurvature::Of::shear}) {
     const RingCurvature slow(cover(0.5), 1, of, true);
-    const LogarithmicSlope of_slow = slow.logarithmic_slope(0.1);
+    const LogarithmicSlope of_slow = slow.logarithmic_slope(0.01);
     const auto second = [&](double x) {
       const auto value = [&](double at) { return slow.slope(at) - of_slow(at) * std::log(std::abs(at)); };
       return value(x) + value(-x) - 2 * slow.slope(0);
