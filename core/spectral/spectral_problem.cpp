@@ -140,8 +140,9 @@ SpectralProblem::SpectralProblem(const ContactModel& given, const CreepSpectrum&
     if (std::isfinite(model.top().layer_thickness))
       correction = std::make_shared<LayerSlopeCorrection>(model.top().layer_thickness, creep_length);
   } else if (const double nearest = nearest_interface(model); std::isfinite(nearest)) {
-    correction = std::make_shared<PassageSlopes>(steady_surface(model, told_apart), creep,
-                                                 nearest * slowest_decay(model), has_rigid_base(model));
+    correction =
+        std::make_shared<PassageSlopes>(steady_surface(model, told_apart), creep, nearest * slowest_decay(model),
+                                        has_rigid_base(model), model.friction_coefficient > 0);
   }
   for (const RelaxationSpectrum::Term& term : relaxation.terms) {
     relaxation_length.push_back(model.speed * term.time);

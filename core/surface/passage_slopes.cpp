@@ -7,14 +7,15 @@ namespace rollres {
 
 using complex = std::complex<double>;
 
-PassageSlopes::PassageSlopes(SteadySurface surface, const CreepSpectrum& deep, double depth, bool rigid_base)
+PassageSlopes::PassageSlopes(SteadySurface surface, const CreepSpectrum& deep, double depth, bool rigid_base,
+                             bool sheared)
     : surface_(std::move(surface)),
       deep_(deep),
       depth_(depth),
       rigid_base_(rigid_base),
       pressed_(surface_.curvature(RingCurvature::Of::pressure).over(deep_)),
-      sheared_(surface_.curvature(RingCurvature::Of::shear).over(deep_)),
-      table_(first_memory_ + deep.terms.size(), pressed_.none() ? 3 : 4, 0.1 * depth_ / surface_.longest_wave(),
+      sheared_(sheared ? surface_.curvature(RingCurvature::Of::shear).over(deep_) : RingCurvature()),
+      table_(first_memory_ + deep.terms.size(), sheared_.none() ? 3 : 4, 0.1 * depth_ / surface_.longest_wave(),
              [this](double wavenumber, std::span<complex> values) { transform(wavenumber, values); }) {
   const SurfaceCompliance at_rest = surface_.half_spaces(surface_.moduli(0));
   at_rest_ = 2 / deep_.at_rest() * Eigen::Array2d(at_rest.normal.real(), at_rest.longitudinal.real());
@@ -23,7 +24,7 @@ PassageSlopes::PassageSlopes(SteadySurface surface, const CreepSpectrum& deep, d
     memory_lengths_.push_back(length / depth_);
     if (pressed_.none()) continue;
     pressed_memory_.push_back(pressed_.remembered(length));
-    sheared_memory_.push_back(sheared_.remembered(length));
+    if (sheared) sheared_memory_.push_back(sheared_.remembered(length));
   }
 }
 
@@ -36,8 +37,8 @@ void PassageSlopes::transform(double k, std::span<complex> values) const {
   const complex normal = (along * c.normal - c_deep.normal) * per_deep - pressed_(along) / M_PI;
   const complex tangential = (along * c.longitudinal - c_deep.longitudinal) * per_deep;
   const complex cross = (along * c.cross - c_deep.cross) * per_deep;
-  const complex hoop = along * c.hoop * per_deep - sheared_(along) / M_PI;
-  const std::size_t components = pressed_.none() ? 3 : 4;
+  const complex hoop = sheared_.none() ? 0 : along * c.hoop * per_deep - sheared_(along) / M_PI;
+  const std::size_t components = sheared_.none() ? 3 : 4;
   const auto put = [&](std::size_t function, const complex& n, const complex& t, const complex& x, const complex& h) {
     const std::size_t first = components * function;
     values[first] = n;
@@ -60,7 +61,7 @@ LayerSlopes PassageSlopes::slope(double x) const {
   LayerSlopes sum = table_(slopes_, x / depth_) / depth_;
   if (pressed_.none()) return sum;
   sum(layer_slope::normal) += pressed_.slope(x);
-  sum(layer_slope::hoop) += sheared_.slope(x);
+  if (!sheared_.none()) sum(layer_slope::hoop) += sheared_.slope(x);
   return sum;
 }
 
@@ -68,7 +69,7 @@ LayerSlopes PassageSlopes::memory(std::size_t term, double x) const {
   LayerSlopes sum = table_(first_memory_ + term, x / depth_) / depth_;
   if (pressed_.none()) return sum;
   sum(layer_slope::normal) += pressed_memory_[term].slope(x);
-  sum(layer_slope::hoop) += sheared_memory_[term].slope(x);
+  if (!sheared_.none()) sum(layer_slope::hoop) += sheared_memory_[term].slope(x);
   return sum;
 }
 
@@ -78,7 +79,8 @@ RingLogarithms PassageSlopes::logarithms(double finest) const {
 
 RingLogarithms PassageSlopes::memory_logarithms(std::size_t term, double finest) const {
   if (pressed_.none()) return {};
-  return {pressed_memory_[term].logarithmic_slope(finest), sheared_memory_[term].logarithmic_slope(finest)};
+  return {pressed_memory_[term].logarithmic_slope(finest),
+          sheared_.none() ? LogarithmicSlope() : sheared_memory_[term].logarithmic_slope(finest)};
 }
 
 LayerSlopes PassageSlopes::displacement(double x) const {
@@ -88,7 +90,7 @@ LayerSlopes PassageSlopes::displacement(double x) const {
   sum.head<2>() += at_rest_ * logarithm;
   if (pressed_.none()) return sum;
   sum(layer_slope::normal) += 2 * pressed_.at_rest() * logarithm + pressed_.displacement(x);
-  sum(layer_slope::hoop) += sheared_.displacement(x);
+  if (!sheared_.none()) sum(layer_slope::hoop) += sheared_.displacement(x);
   return sum;
 }
 

@@ -25,7 +25,8 @@ class PassageSlopes final : public SlopeCorrection {
   /// be that of the half-spaces, down to the longest waves
   /// @param depth over which the layers' part fades: that of the nearest face, less where inertia slows the decay [m]
   /// @param rigid_base whether one lies below all layers: over a half-space there are no displacements
-  PassageSlopes(SteadySurface surface, const CreepSpectrum& deep, double depth, bool rigid_base);
+  /// @param sheared whether the hoop's part is wanted of a ring
+  PassageSlopes(SteadySurface surface, const CreepSpectrum& deep, double depth, bool rigid_base, bool sheared = true);
 
   PassageSlopes(const PassageSlopes&) = delete;
   PassageSlopes& operator=(const PassageSlopes&) = delete;

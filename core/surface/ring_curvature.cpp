@@ -69,6 +69,28 @@ std::vector<double> weights_for(const std::vector<double>& squares) {
 
 }  // namespace
 
+void LogarithmicSlope::add(double weight, double length) {
+  if (constexpr double shortest = 0.4; std::abs(length) < shortest * radius_) {
+    memories_.push_back({weight, length});
+    return;
+  }
+  for (std::size_t k = 0; k < powers_; ++k) {
+    series_[k] += weight;
+    weight *= radius_ / (length * static_cast<double>(k + 1));
+  }
+}
+
+double LogarithmicSlope::operator()(double x) const {
+  constexpr double faded = 0.25;
+  double sum = 0;
+  for (std::size_t k = powers_; k-- > 0;) sum = series_[k] + sum * x / radius_;
+  for (const Memory& memory : memories_) {
+    const double z = x / memory.length, square = faded * z * faded * z, fourth = square * square;
+    sum += memory.weight * std::exp(z - fourth * fourth);
+  }
+  return sum;
+}
+
 RingCurvature::RingCurvature(const MediumLayer& ring, double speed, Of of, bool coating)
     : ring_(ring),
       speed_(speed),
@@ -226,9 +248,9 @@ LogarithmicSlope RingCurvature::logarithmic_slope(double finest) const {
       told_apart.material.instantaneous += term.compliance;
     else
       told_apart.material.terms.push_back(term);
-  LogarithmicSlope slope;
+  LogarithmicSlope slope(ring_.radius);
   for (const Part& part : RingCurvature(told_apart, speed_, of_, coating_).parts_)
-    if (part.pole != 0) slope.terms.push_back({part.pole / (M_PI * part.length), part.length});
+    if (part.pole != 0) slope.add(part.pole / (M_PI * part.length), part.length);
   return slope;
 }
 

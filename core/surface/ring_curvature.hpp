@@ -10,7 +10,7 @@
 /// a/(1 - i k T) and -i b/(1 - i k T) over positive and negative lengths T, whose slopes are R_T of a pole and of a
 /// unit force (core/spectral/README.md, (S3), (S30)).
 
-#include <cmath>
+#include <array>
 #include <complex>
 #include <memory>
 #include <vector>
@@ -20,26 +20,28 @@
 
 namespace rollres {
 
-/// What goes with ln|x| in slopes, as a sum of exponentials of the distance. They fade where they would grow far beyond
-/// the slopes themselves: what is left there is smooth without them.
+/// What goes with ln|x| in slopes, as a sum of exponentials of the distance. Those of a ring's radius are a power
+/// series; those of memories fade where they would grow far beyond the slopes themselves: what is left there is smooth
+/// without them.
 class LogarithmicSlope {
  public:
-  /// @return [1/(Pa m)]
-  double operator()(double x) const {
-    constexpr double faded = 0.25;
-    double sum = 0;
-    for (const Term& term : terms) {
-      const double z = x / term.length;
-      sum += term.weight * std::exp(z - std::pow(faded * z, 8));
-    }
-    return sum;
-  }
-  bool none() const { return terms.empty(); }
+  LogarithmicSlope() = default;
+  explicit LogarithmicSlope(double radius) : radius_(radius) {}
+  /// @param weight times e^{x/length} [1/(Pa m)]
+  void add(double weight, double length);
 
-  struct Term {
+  /// @param x up to about the radius   @return [1/(Pa m)]
+  double operator()(double x) const;
+  bool none() const { return radius_ == 0; }
+
+ private:
+  struct Memory {
     double weight, length;  // [1/(Pa m)], [m]
   };
-  std::vector<Term> terms;
+  static constexpr std::size_t powers_ = 18;
+  double radius_ = 0;
+  std::array<double, powers_> series_{};  // of x over the radius
+  std::vector<Memory> memories_;
 };
 
 class RingCurvature {

@@ -84,6 +84,9 @@ SpectralField::SpectralField(const SpectralProblem& problem, const SpectralState
       friction_(state.pattern.shear ? problem.model.friction_coefficient : 0),
       contact_tails_(state.graded ? Tails{} : tails_of(problem, state.pressure, state.edges.contact.half_length())) {
   if (state.graded) return;
+  const double finest = finest_distance(state.edges.contact, state.pressure.coefficients.size());
+  if (problem.layered()) of_surface_ = problem.correction->logarithms(finest);
+  if (problem.coating && problem.coating->layered()) of_coating_ = problem.coating->correction->logarithms(finest);
   for (std::size_t z = 0; z < state.sticks.size(); ++z)
     stick_tails_.push_back(tails_of(problem, state.sticks[z], state.edges.sticks[z].half_length()));
   if (state.pattern.shear)
@@ -156,8 +159,7 @@ SpectralField::Slopes SpectralField::added_slopes(const SpectralProblem& part, d
   if (!part.layered()) return {0, 0};
   Slopes sum = sum_of_sources(part, x, [&](double r) { return part.correction->slope(r); });
   if (state_.graded) return sum;
-  const RingLogarithms logarithms = part.correction->logarithms(
-      finest_distance(state_.edges.contact, state_.runs.empty() ? 1 : state_.runs.front().count));
+  const RingLogarithms& logarithms = &part == problem_.coating.get() ? of_coating_ : of_surface_;
   if (logarithms.normal.none()) return sum;
   const std::span<const SourceRun> runs(state_.runs);
   sum.w -= missed_of(logarithms.normal, runs.first(1), state_.sources, x)

@@ -61,6 +61,7 @@ class SpectralField {
   Tails contact_tails_;
   std::vector<Tails> stick_tails_;
   std::optional<SlidingBase> base_;
+  RingLogarithms of_surface_, of_coating_;
 };
 
 }  // namespace rollres
