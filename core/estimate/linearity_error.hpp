@@ -10,7 +10,7 @@
 /// and far below it by U = (1 + d ln G''/d ln omega)/2, plus what compressible layers add below the peak, U (1 - 2 nu)
 /// times a factor, and lossy ones, tan delta/(1 + tan delta) times a factor; a is half the length of the contact, G''
 /// and tan delta are those at omega = V/a. Of rings with friction (a/R)(R_r/P) times a factor is added. The factors are
-/// fitted to drawn pairs of solutions (tests/benchmark/ linearity.py draws and fits them), layers on a rigid base and
+/// fitted to drawn pairs of solutions (tests/benchmark/linearity.py draws and fits them), layers on a rigid base and
 /// rings on a rigid core: 0.02 < a/H < 5, d/H < 0.33, nu >= 0.35, mu <= 0.8, Zener and Prony solids. On half-spaces no
 /// pair with a/R < 0.6 differed by more than 0.15 a/R.
 

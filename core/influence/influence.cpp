@@ -169,7 +169,7 @@ InfluenceTable surface_table(const ContactModel& model, const SurfaceGrid& grid)
           [&surface, along, moduli = surface.moduli(along)](double across) { return surface(moduli, along, across); };
     };
     return periodic_table(symbols, *model.period, model.series_terms, grid.spacing_x, grid.spacing_y, reach_x, reach_y,
-                          model.ring());
+                          model.ring() && model.friction_coefficient > 0);
   }
   InfluenceTable table = passage_table(model, grid, reach_x, reach_y);
   return sphere || has_rigid_base(model) ? table : without_sinking(std::move(table));

@@ -93,8 +93,8 @@ class AddedDisplacements {
         at_rest_(surface_.half_spaces(surface_.moduli(0))),
         long_waves_(surface_.long_waves()),
         pressed_(surface_.curvature(RingCurvature::Of::pressure)),
-        sheared_(surface_.curvature(RingCurvature::Of::shear)),
-        table_(1, pressed_.none() ? 3 : 4, 0.1 * depth_ / surface_.longest_wave(),
+        sheared_(model.friction_coefficient > 0 ? surface_.curvature(RingCurvature::Of::shear) : RingCurvature()),
+        table_(1, sheared_.none() ? 3 : 4, 0.1 * depth_ / surface_.longest_wave(),
                [this](double wavenumber, std::span<complex> values) { transform(wavenumber, values); }) {}
   AddedDisplacements(const AddedDisplacements&) = delete;
   AddedDisplacements& operator=(const AddedDisplacements&) = delete;
@@ -106,7 +106,7 @@ class AddedDisplacements {
     sum(layer_slope::tangential) += (at_rest_.longitudinal - long_waves_.longitudinal).real() * logarithm;
     if (pressed_.none()) return sum;
     sum(layer_slope::normal) += pressed_.at_rest() * logarithm + pressed_.displacement(x);
-    sum(layer_slope::hoop) += sheared_.displacement(x);
+    if (!sheared_.none()) sum(layer_slope::hoop) += sheared_.displacement(x);
     return sum;
   }
 
@@ -239,14 +239,15 @@ InfluenceTable line_passage_table(const ContactModel& model, const SurfaceGrid& 
   if (ahead) table.add_coating(half_spaces(coating, {}).reversed());
   if (std::isinf(nearest_interface(model))) return table;
   const AddedDisplacements added(model, cell, told_apart);
-  if (model.ring()) table.bend();
+  const bool sheared_ring = model.ring() && model.friction_coefficient > 0;
+  if (sheared_ring) table.bend();
   for (int column = -reach_x; column <= reach_x; ++column) {
     const auto at = static_cast<std::size_t>(table.index(column, 0));
     const LayerSlopes values = added(column * cell);
     table.ww[at] += values(layer_slope::normal);
     table.uu[at] += values(layer_slope::tangential);
     table.uw[at] += values(layer_slope::cross);
-    if (model.ring()) table.hoop[at] += values(layer_slope::hoop);
+    if (sheared_ring) table.hoop[at] += values(layer_slope::hoop);
   }
   add_earlier_turns(table, model, cell, told_apart);
   return table;

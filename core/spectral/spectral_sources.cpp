@@ -101,14 +101,24 @@ RowVectorXd missed_between_angles(const SourceRun& run, double x) {
 
 }  // namespace
 
-RowVectorXd missed_of(const LogarithmicSlope& logarithm, std::span<const SourceRun> runs, const VectorXd& sources,
-                      double x) {
-  RowVectorXd missed(runs.back().first + runs.back().count);
-  for (const SourceRun& run : runs)
-    missed.segment(run.first, run.count) =
-        run.from_angle == run.to_angle ? logarithm_missed(static_cast<int>(run.count), place_in(run.interval, x))
-                                       : missed_between_angles(run, x);
-  for (Index q = 0; q < missed.size(); ++q) missed(q) = x == sources(q) ? 0 : missed(q) * logarithm(x - sources(q));
+MissedSlopes missed_slopes(const RingLogarithms& logarithms, const std::vector<SourceRun>& runs,
+                           const VectorXd& sources, double x) {
+  MissedSlopes missed;
+  missed.normal.resize(runs.front().count);
+  if (!logarithms.hoop.none()) missed.hoop.resize(sources.size());
+  for (const SourceRun& run : runs) {
+    const bool pressed = &run == &runs.front();
+    if (!pressed && logarithms.hoop.none()) break;
+    const RowVectorXd of_logarithm = run.from_angle == run.to_angle
+                                         ? logarithm_missed(static_cast<int>(run.count), place_in(run.interval, x))
+                                         : missed_between_angles(run, x);
+    for (Index k = 0; k < run.count; ++k) {
+      const Index q = run.first + k;
+      const double distance = x - sources(q);
+      if (pressed) missed.normal(q) = distance == 0 ? 0 : of_logarithm(k) * logarithms.normal(distance);
+      if (!logarithms.hoop.none()) missed.hoop(q) = distance == 0 ? 0 : of_logarithm(k) * logarithms.hoop(distance);
+    }
+  }
   return missed;
 }
 

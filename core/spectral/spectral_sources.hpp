@@ -6,7 +6,6 @@
 #include <Eigen/Core>
 #include <cmath>
 #include <functional>
-#include <span>
 #include <vector>
 
 #include "core/spectral/sliding_base.hpp"
@@ -40,10 +39,13 @@ inline double finest_distance(const Interval& contact, Eigen::Index points) {
   return M_PI * contact.half_length() / static_cast<double>(points);
 }
 
-/// What the sums at x miss of a kernel's part that goes with ln|x|, of a ring's curvature: by forces at the sources of
-/// these runs, to be added to the kernel [1/m].
-Eigen::RowVectorXd missed_of(const LogarithmicSlope& logarithm, std::span<const SourceRun> runs,
-                             const Eigen::VectorXd& sources, double x);
+/// What sums at x miss of the parts of a ring's kernels that go with ln|x|, to be added to the kernels [1/m].
+struct MissedSlopes {
+  Eigen::RowVectorXd normal;  // by source of the first run
+  Eigen::RowVectorXd hoop;    // by source; empty where the surface has no such part
+};
+MissedSlopes missed_slopes(const RingLogarithms& logarithms, const std::vector<SourceRun>& runs,
+                           const Eigen::VectorXd& sources, double x);
 
 /// A resultant by unknown, from its lever arms (S18): `load`, `driving_force` [N/m] or `torque` [N] of the shape.
 Eigen::RowVectorXd resultant_row(const IndenterShape& shape, LeverArm (IndenterShape::*arm)(double, double) const,

@@ -94,11 +94,10 @@ class System : private ZonedSystem {
   template <class Rows>
   void mend(const RingLogarithms& logarithms, const VectorXd& x, Rows&& rows) const {
     if (logarithms.normal.none()) return;
-    const std::span<const SourceRun> runs(sources_.runs);
     for (Index i = 0; i < x.size(); ++i) {
-      rows.row(i).head(n_) -= missed_of(logarithms.normal, runs.first(1), sources_.x, x(i)) *
-                              sources_.of_pressure.topLeftCorner(n_, n_);
-      if (pattern_.shear) rows.row(i) -= missed_of(logarithms.hoop, runs, sources_.x, x(i)) * sources_.of_shear;
+      const MissedSlopes missed = missed_slopes(logarithms, sources_.runs, sources_.x, x(i));
+      rows.row(i).head(n_) -= missed.normal * sources_.of_pressure.topLeftCorner(n_, n_);
+      if (pattern_.shear) rows.row(i) -= missed.hoop * sources_.of_shear;
     }
   }
 

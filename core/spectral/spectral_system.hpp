@@ -92,13 +92,8 @@ struct SpectralState {
   Eigen::VectorXd sources, pressure_forces, shear_forces;  // points and forces that stand for the tractions at a
                                                            // distance [m], [N/m]
   std::vector<SourceRun> runs;                             // of these; none of graded points
-  bool bent = false;                                       // the surface is a ring's
   Eigen::VectorXd residuals;                               // relative, one for each edge and border
   std::shared_ptr<const GradedTractions> graded;           // in place of densities (graded_system.hpp)
-
-  /// Whether shear moves a ring outwards by its integral (core/surface/ring_compliance.hpp): the pressure has a power
-  /// 3/2 of the distance from ends of sticks.
-  bool sheared_ring() const { return bent && pattern.shear && !graded; }
 };
 
 /// On a surface next to which nothing creeps, the slack of a zone of stick and the rotation are the same to it: bounded

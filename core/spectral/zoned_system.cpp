@@ -107,7 +107,6 @@ SpectralState ZonedSystem::state(double approach) const {
   const ContactModel& model = problem_.model;
   SpectralState state;
   state.pattern = pattern_;
-  state.bent = model.ring();
   state.edges = edges_;
   state.pressure = {solution_.head(slack_), solution_.segment(amplitude_, terms_)};
   state.load = resultant(&IndenterShape::load).dot(solution_);

@@ -380,7 +380,7 @@ class SpectralContact {
     return per_tail * handed_on(model_.drive) * graded_tail(order) * std::sqrt(lever);
   }
   bool misses_tolerance(const AssessedSpectral& assessed, const Told& told) const {
-    return (last_->graded || last_->sheared_ring()) && model_.tolerance &&
+    return (last_->graded || problem_.sheared_ring(last_->pattern.shear)) && model_.tolerance &&
            estimate_of(assessed, told) > *model_.tolerance;
   }
 
@@ -390,12 +390,13 @@ class SpectralContact {
   }
   double between_points(int order) const {
     if (last_->graded) return graded_field_error(order);
-    if (!last_->sheared_ring()) return 0;
+    if (!problem_.sheared_ring(last_->pattern.shear)) return 0;
     return of_sheared_rings * last_->edges.contact.half_length() / model_.radius * std::pow(order, -2.5);
   }
   /// Of graded points, and on rings, the laws hold where they are imposed, and in between to what their number allows.
   double imposed_violation(const AssessedSpectral& assessed) const {
-    return last_->graded || last_->sheared_ring() ? assessed.solution.law_violation : assessed.violation;
+    return last_->graded || problem_.sheared_ring(last_->pattern.shear) ? assessed.solution.law_violation
+                                                                        : assessed.violation;
   }
 
   /// Takes the last state for the answer if all laws hold and none before was surer of itself. @return whether one is

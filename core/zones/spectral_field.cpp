@@ -161,11 +161,9 @@ SpectralField::Slopes SpectralField::added_slopes(const SpectralProblem& part, d
   if (state_.graded) return sum;
   const RingLogarithms& logarithms = &part == problem_.coating.get() ? of_coating_ : of_surface_;
   if (logarithms.normal.none()) return sum;
-  const std::span<const SourceRun> runs(state_.runs);
-  sum.w -= missed_of(logarithms.normal, runs.first(1), state_.sources, x)
-               .dot(state_.pressure_forces.head(runs.front().count));
-  if (state_.pattern.shear)
-    sum.w -= side_of(part) * missed_of(logarithms.hoop, runs, state_.sources, x).dot(state_.shear_forces);
+  const MissedSlopes missed = missed_slopes(logarithms, state_.runs, state_.sources, x);
+  sum.w -= missed.normal.dot(state_.pressure_forces.head(missed.normal.size()));
+  if (state_.pattern.shear) sum.w -= side_of(part) * missed.hoop.dot(state_.shear_forces);
   return sum;
 }
 

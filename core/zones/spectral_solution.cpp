@@ -184,9 +184,9 @@ class SpectralAssessment {
       violated(std::abs(drive_row(model, torque, force) - drive_target(model)) / load);
     }
     assessed_.violation = worst;
-    s_.law_violation = state_.graded           ? violated_at_nodes(shear_scale)
-                       : state_.sheared_ring() ? state_.residuals.cwiseAbs().maxCoeff()
-                                               : worst;
+    s_.law_violation = state_.graded                      ? violated_at_nodes(shear_scale)
+                       : problem_.sheared_ring(sheared()) ? state_.residuals.cwiseAbs().maxCoeff()
+                                                          : worst;
   }
 
   /// Where the laws are imposed: at the middles by a linear system, of which the residuals are left, and at nodes but

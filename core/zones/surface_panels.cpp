@@ -61,6 +61,16 @@ const PanelRule& panel_rule() {
   return rule;
 }
 
+/// Ends at which tractions or slopes have roots of the distance [m].
+std::vector<double> ends_of_zones(const SpectralEdges& edges) {
+  const Interval& contact = edges.contact;
+  std::vector<double> ends{contact.from, contact.to};
+  for (const Interval& stick : edges.sticks)
+    for (const double end : {stick.from, stick.to})
+      if (std::find(ends.begin(), ends.end(), end) == ends.end()) ends.push_back(end);
+  return ends;
+}
+
 /// What finite thickness adds to the elastic slopes, as Chebyshev series on panels no wider than the depth it comes
 /// from: it is singular at twice that distance from the surface. A ring's, which goes with ln|x|, is smooth in x
 /// outside the contact in the angle of x = centre +- half cosh(angle), and between the ends of zones in that of x =
@@ -73,7 +83,7 @@ class AddedSlopes {
       : part_(part), field_(field), most_(most) {
     if (!part.layered()) return;
     const Interval& contact = edges.contact;
-    if (part.correction->logarithms(contact.half_length()).normal.none()) {
+    if (!part.model.ring()) {
       tabulate(from, to, from, to, [](double x) { return x; });
       return;
     }
@@ -81,11 +91,8 @@ class AddedSlopes {
     const auto angle = [=](double x) { return std::acosh(std::max(1.0, std::abs((x - centre) / half))); };
     if (from < contact.from)
       tabulate(from, contact.from, angle(from), 0, angle, [=](double at) { return centre - half * std::cosh(at); });
-    std::vector<double> ends{contact.from};
-    for (const Interval& stick : edges.sticks)
-      for (const double end : {stick.from, stick.to})
-        if (end > ends.back()) ends.push_back(end);
-    if (contact.to > ends.back()) ends.push_back(contact.to);
+    std::vector<double> ends = ends_of_zones(edges);
+    std::sort(ends.begin(), ends.end());
     for (std::size_t i = 0; i + 1 < ends.size(); ++i) {
       const Interval zone{ends[i], ends[i + 1]};
       tabulate(
@@ -140,16 +147,6 @@ class AddedSlopes {
   std::vector<Stretch> stretches_;
 };
 
-/// Ends at which tractions or slopes have roots of the distance [m].
-std::vector<double> ends_of_zones(const SpectralState& state) {
-  const Interval& contact = state.edges.contact;
-  std::vector<double> ends{contact.from, contact.to};
-  for (const Interval& stick : state.edges.sticks)
-    for (const double end : {stick.from, stick.to})
-      if (std::find(ends.begin(), ends.end(), end) == ends.end()) ends.push_back(end);
-  return ends;
-}
-
 /// Whether the memories are begun from forces at points: where they reach farther than the layer moves, or that is not
 /// known.
 bool from_points(const SpectralProblem& problem) {
@@ -184,7 +181,7 @@ std::vector<double> distinct(std::vector<double> borders, const std::vector<doub
 std::vector<double> panel_borders(const SpectralProblem& problem, const SpectralState& state) {
   const Interval& contact = state.edges.contact;
   const double half = contact.half_length();
-  const std::vector<double> ends = ends_of_zones(state);
+  const std::vector<double> ends = ends_of_zones(state.edges);
   std::vector<double> borders = ends;
   // Towards the ends, down to layers as thin as the shortest memory.
   double shortest = half;
