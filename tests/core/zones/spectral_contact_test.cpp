@@ -1,5 +1,5 @@
-// Covers spectral_problem, spectral_system, spectral_sources, spectral_memory, spectral_field, surface_panels,
-// spectral_solution, spectral_friction_limit too.
+// Covers spectral_problem, spectral_system, spectral_sources, spectral_memory, spectral_field, added_slopes,
+// surface_panels, spectral_solution, spectral_friction_limit too.
 
 #include "core/zones/spectral_contact.hpp"
 
