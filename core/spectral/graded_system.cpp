@@ -360,8 +360,8 @@ SpectralState solve_graded(const SpectralProblem& problem, const SlipPattern& pa
   return GradedSystem(problem, pattern, edges, orders).solve(nearby);
 }
 
-double graded_tail(int order) { return std::exp(-2.7 * std::sqrt(order)); }
+double graded_tail(double order) { return std::exp(-2.7 * std::sqrt(order)); }
 
-double graded_field_error(int order) { return 0.1 * std::exp(-0.9 * std::sqrt(order)); }
+double graded_field_error(double order) { return 0.1 * std::exp(-0.9 * std::sqrt(order)); }
 
 }  // namespace rollres

@@ -44,8 +44,8 @@ SpectralState solve_graded(const SpectralProblem& problem, const SlipPattern& pa
                            const SpectralOrders& orders, NearbySystems& nearby);
 
 /// How the rule's error falls with the order, in proportion [1].
-double graded_tail(int order);
+double graded_tail(double order);
 /// Violation of laws between the nodes at an order, at most, as met with in solutions [1].
-double graded_field_error(int order);
+double graded_field_error(double order);
 
 }  // namespace rollres

@@ -11,6 +11,7 @@
 #include "core/model/stated_error.hpp"
 #include "core/numerics/solution_limits.hpp"
 #include "core/spectral/graded_system.hpp"
+#include "core/zones/pattern_mending.hpp"
 #include "core/zones/spectral_field.hpp"
 #include "core/zones/spectral_friction_limit.hpp"
 #include "core/zones/spectral_search.hpp"
@@ -25,14 +26,14 @@ namespace {
 constexpr int most_coefficients = 160;
 constexpr double smallest_residual = 1e-14;
 constexpr double smallest_tolerance = 1e-13;  // that rounding allows
-constexpr double largest_violation = 5e-9;    // of any law
-constexpr double of_rings = 1e-8;             // the same: between points their curvature is known to its memories
+constexpr double largest_violation = 1e-8;    // of any law
 /// Where a ring begins to slip its pressure has a power 3/2 of the distance: between points the laws hold to this,
 /// times the slope at the edges and the order to the power -5/2. (A braked cover: 0.55 times that, orders 10 to 157.)
 constexpr double of_sheared_rings = 2;
 constexpr double default_of_sheared_rings = 1e-6;  // tolerance, in place of the default
 constexpr double rounded_tail = 1e-12;             // last coefficients, relative to the largest
 constexpr double wrong_pattern = 1e-7;             // violation of an inequality that no order mends
+constexpr double tolerated_between = 0.01;         // violation between graded points, which the error then counts
 constexpr double plainly_wrong = 0.01;             // the same, seen at once
 /// Memories with inertia, in half-widths: logarithms beside shorter ones are not resolved.
 constexpr double shortest_with_inertia = 0.1;
@@ -42,11 +43,12 @@ constexpr double first_sketch_residual = 1e-5, sketch_residual = 1e-7;
 /// Few graded points refute right patterns, and tell their own error badly: fewer than this tolerance asks for [1] save
 /// little.
 constexpr double least_graded_accuracy = 2e-5;
-constexpr int most_to_sketch = 30;
+constexpr int most_to_sketch = 30, most_to_find = 60;  // evaluations, where nothing is known of a pattern
 constexpr int largest_first_order = 80;
 constexpr double fewest_unsketched = 31;   // coefficients, where zones are too short for these
+constexpr double fewest_from_grid = 40;    // the same, not to lose the edges that a grid tells better than few points
 constexpr double nearly_right = 0.01;      // the same, where the place of what is wrong starts a search nearby
-constexpr int most_mended = 4;             // patterns that follow from one another
+constexpr int most_mended = 6;             // patterns that follow from one another
 constexpr int most_stays = 3;              // checks of all laws that find no smaller violation
 constexpr double finer_than_grids = 1e-7;  // expected change of R_r [1]
 constexpr double slowest_fall = 0.9;       // of the last coefficients, from one order to the next
@@ -107,6 +109,7 @@ class SpectralContact {
       problem_.coating_moments = near->coating_moments;
       if (refine(near->pattern, near->edges, &*near)) return finished();
       work_ = 0;
+      tried_.clear();
     }
     std::optional<SpectralState> smooth = frictionless_start(problem_);
     if (!smooth) return {{}, "no contact found without friction"};
@@ -126,13 +129,13 @@ class SpectralContact {
         solution.iterations = evaluations_;
         return {solution, {}};
       }
-    std::vector<int> tried;
+    from_grid_ = true;
+    tried_.clear();
     for (const double nodes : {60.0, 240.0, 960.0}) {
       if (nodes > 240 && !problem_.graded(true)) break;
       const std::optional<PatternStart> start = pattern_on_grid(model_, smooth->edges.contact.half_length() / nodes);
-      if (!start || start->pattern.slips == tried) continue;
-      if (refine(start->pattern, start->edges)) return finished();
-      if (last_) tried = start->pattern.slips;
+      if (!start || was_tried(start->pattern)) continue;
+      if (try_mended(*start)) return finished();
     }
     if (answered()) return finished();
     return {{}, "no pattern of zones fits"};
@@ -161,10 +164,11 @@ class SpectralContact {
   }
 
   /// A pattern, and those that follow from what is wrong with it.
-  bool try_mended(PatternStart next) {
-    for (int mended = 0; mended < most_mended; ++mended) {
-      if (refine(next.pattern, next.edges)) return true;
-      if (!last_ || !mend(next)) return false;
+  bool try_mended(PatternStart start) {
+    std::optional<PatternStart> next = std::move(start);
+    for (int mendings = 0; next && mendings < most_mended; ++mendings) {
+      if (refine(next->pattern, next->edges)) return true;
+      next = last_ ? mend_last() : std::nullopt;
     }
     return false;
   }
@@ -182,40 +186,18 @@ class SpectralContact {
     return refine(start.pattern, start.edges);
   }
 
-  /// The pattern that the last state's violations ask for: slip at the leading edge where the stick would be
-  /// overloaded; at the trailing edge, slip the other way behind a short stick where it would be against the shear.
-  bool mend(PatternStart& start) const {
-    SlipPattern& pattern = start.pattern;
-    start.edges = last_->edges;
-    if (std::isfinite(overloaded_) && pattern.slips.back() == 0) {
-      pattern.slips.back() = overload_direction_;
-      start.edges.sticks.back().to = overload_start(start.edges.sticks.back());
-      return true;
+  /// The pattern that the last state's violations ask for, from the largest on.
+  std::optional<PatternStart> mend_last() {
+    if (!last_->graded && wrong_ > nearly_right && !wrong_runs_.empty() && !wrong_runs_.front().in_stick) return {};
+    for (const WrongRun& run : wrong_runs_) {
+      std::optional<PatternStart> next = mended(problem_, *last_, run);
+      if (!next || next->pattern.sticks() > most_sticks || was_tried(next->pattern)) continue;
+      return next;
     }
-    if ((!last_->graded && !(wrong_ < nearly_right)) || !std::isfinite(reversed_) || pattern.slips.front() == 0)
-      return false;
-    const double behind = start.edges.contact.from, turn = 0.3 * (reversed_ - behind);
-    if (reversed_ + turn > start.edges.sticks.front().from) return false;  // all of it is, which a grid tells better
-    pattern.slips.insert(pattern.slips.begin(), -pattern.slips.front());
-    start.edges.sticks.insert(start.edges.sticks.begin(), {reversed_ - turn, reversed_ + turn});
-    return true;
+    return {};
   }
-
-  /// The point of the stick from which on the last state's shear is too large.
-  double overload_start(const Interval& stick) const {
-    const SpectralField field(problem_, *last_);
-    const double step = 0.01 * (stick.to - stick.from);
-    double start = stick.to - 0.5 * step;
-    for (int k = 1; k < 99; ++k) {
-      const double x = stick.to - k * step;
-      if (std::abs(field.shear(x)) > model_.friction_coefficient * field.pressure(x)) start = x;
-    }
-    if (!last_->graded || start < stick.to - step) return start;
-    for (double distance = step; distance > 1e-7 * step; distance *= 0.8) {
-      const double x = stick.to - distance;
-      if (std::abs(field.shear(x)) > model_.friction_coefficient * field.pressure(x)) return x;
-    }
-    return start;
+  bool was_tried(const SlipPattern& pattern) const {
+    return std::find(tried_.begin(), tried_.end(), pattern.slips) != tried_.end();
   }
 
   /// Solves with rising orders until the tolerance is met; true if the answer obeys all laws. Gives up where higher
@@ -223,7 +205,8 @@ class SpectralContact {
   /// @param near  where the edges are from, if they are from another scene
   bool refine(const SlipPattern& pattern, SpectralEdges edges, const FoundZones* near = nullptr) {
     last_.reset();
-    overloaded_ = reversed_ = RollingSolution::absent;
+    wrong_runs_.clear();
+    tried_.push_back(pattern.slips);
     EdgeSearch search(problem_, pattern);
     const bool costly = !pattern.one_direction(), graded = problem_.graded(pattern.shear);
     const double most = (graded ? graded_share : 1) * most_work;
@@ -239,7 +222,9 @@ class SpectralContact {
     Told told;
     int stays = 0;
     bool only_sketched = true, done = false, checked = !costly && !graded;
-    if (graded) {
+    if (graded && from_grid_) {
+      coefficients = std::max(coefficients, fewest_from_grid);
+    } else if (graded) {
       const Sketch sketch = sketched(search, pattern, edges, coefficients, most);
       if (sketch.refuted) return false;
       edges = sketch.edges;
@@ -255,13 +240,14 @@ class SpectralContact {
       if (work_ + 3 * work > most) break;
       const int used = search.evaluations();
       std::optional<SpectralState> state =
-          find_with_coating(search, edges, order, residual, static_cast<int>((most - work_) / work));
+          find_with_coating(search, edges, order, residual,
+                            std::min(static_cast<int>((most - work_) / work), last_ ? 400 : most_to_find));
       evaluations_ += search.evaluations() - used;
       work_ += work * (search.evaluations() - used);
       if (!state) break;
       edges = state->edges;
       const double resistance = resistance_of(*state);
-      const double tail = state->graded ? graded_tail(order) : relative_tail(*state);
+      const double tail = state->graded ? graded_tail(resolving(order)) : relative_tail(*state);
       const double lever = lever_of(*state), scale = scale_of(*state);
       const double change = std::abs(resistance - before) / scale;
       // Of graded points the changes may pass through zero: then what the one before let expect counts.
@@ -318,7 +304,7 @@ class SpectralContact {
       coefficients = next_order(coefficients, graded);
     }
     // A tolerance beyond what rounding and work allow leaves the best answer, better than any grid's.
-    if (!last_ || !(told.error <= finer_than_grids)) return false;
+    if (!last_ || !(told.error <= std::max(finer_than_grids, model_.tolerance.value_or(0)))) return false;
     AssessedSpectral assessed = assess(problem_, *last_);
     return keep_best(assessed, told, search);
   }
@@ -367,17 +353,25 @@ class SpectralContact {
       return cautious(told.error, assessed.violation, model_.drive) + of_curvature;
     }
     constexpr double per_violation = 0.03, usual_share = 0.05;  // of what so many points allow
-    const double lever = told.lever / told.scale, field_error = graded_field_error(told.order);
-    const double wrong = assessed.wrong_zone > usual_share * field_error ? assessed.wrong_zone : 0;
+    const double lever = told.lever / told.scale, field_error = field_error_of(told.order);
+    double wrong = assessed.wrong_zone > usual_share * field_error ? assessed.wrong_zone : 0;
+    if (assessed.violation > field_error) wrong = std::max(wrong, assessed.violation);
     // Of 185 random answers at a tolerance of 1e-9, 17 % were off by more than this sum, 4 % by more than 1.5 of it.
     constexpr double covering = 1.5;
     return covering * (cautious(told.error, 0, model_.drive) + usual_error(told.order, lever) +
                        handed_on(model_.drive) * per_violation * wrong * std::sqrt(lever));
   }
+  /// The order that resolves as much without layers: thin ones narrow the strip in which all is analytic.
+  double resolving(int order) const {
+    constexpr double usual_strip = 0.7;  // of the random scenes by which the errors of graded points are known
+    return order * std::min(1.0, free_strip(problem_, {-problem_.half_width, problem_.half_width}) / usual_strip);
+  }
+  double field_error_of(int order) const { return graded_field_error(resolving(order)); }
+
   /// What so many graded points leave, of random scenes and by their order alone. @param lever  over the scale
   double usual_error(int order, double lever) const {
     constexpr double per_tail = 2;
-    return per_tail * handed_on(model_.drive) * graded_tail(order) * std::sqrt(lever);
+    return per_tail * handed_on(model_.drive) * graded_tail(resolving(order)) * std::sqrt(lever);
   }
   bool misses_tolerance(const AssessedSpectral& assessed, const Told& told) const {
     return (last_->graded || problem_.sheared_ring(last_->pattern.shear)) && model_.tolerance &&
@@ -389,7 +383,7 @@ class SpectralContact {
     return assessed.wrong_zone < std::max(wrong_pattern, between_points(order));
   }
   double between_points(int order) const {
-    if (last_->graded) return graded_field_error(order);
+    if (last_->graded) return field_error_of(order);
     if (!problem_.sheared_ring(last_->pattern.shear)) return 0;
     return of_sheared_rings * last_->edges.contact.half_length() / model_.radius * std::pow(order, -2.5);
   }
@@ -400,7 +394,7 @@ class SpectralContact {
   }
 
   /// Takes the last state for the answer if all laws hold and none before was surer of itself. @return whether one is
-  /// there that no grid reaches
+  /// there that is as sure as asked for, or than no grid would be
   bool keep_best(AssessedSpectral& assessed, const Told& told, const EdgeSearch& search) {
     const bool better = !best_ || estimate_of(assessed, told) * told.scale < best_->solution.rolling_resistance_error;
     if (better) accept(assessed, told, search);
@@ -408,14 +402,14 @@ class SpectralContact {
   }
   bool answered() const {
     const double finer = 1.25 * estimate_over_change(model_.drive) * finer_than_grids + problem_.left_out;
-    return best_ && best_->solution.rolling_resistance_error <= finer * scale_;
+    return best_ && best_->solution.rolling_resistance_error <= std::max(finer, model_.tolerance.value_or(0)) * scale_;
   }
 
   /// Takes the last state for the answer if all laws hold.
   bool accept(AssessedSpectral& assessed, const Told& told, const EdgeSearch& search) {
-    const bool ring = model_.ring();
-    const double held = ring ? of_rings : largest_violation, largest = std::max(held, between_points(told.order));
-    if (!in_its_zones(assessed, told.order) || !(assessed.violation < largest) || !(imposed_violation(assessed) < held))
+    const double largest = std::max(largest_violation, last_->graded ? tolerated_between : between_points(told.order));
+    if (!in_its_zones(assessed, told.order) || !(assessed.violation < largest) ||
+        !(imposed_violation(assessed) < largest_violation))
       return false;
     const double relative = estimate_of(assessed, told);
     RollingSolution& solution = assessed.solution;
@@ -444,7 +438,7 @@ class SpectralContact {
   /// Of the largest pressure [Pa]: what coefficients, or graded points, and short memories leave.
   double peak_error(const AssessedSpectral& assessed, const Told& told) const {
     constexpr double over_resistance = 3;  // of random scenes
-    const double share = last_->graded ? graded_field_error(told.order) : over_resistance * estimate_of(assessed, told);
+    const double share = last_->graded ? field_error_of(told.order) : over_resistance * estimate_of(assessed, told);
     return (share + assessed.violation) * assessed.solution.peak_pressure + left_by_short_memories(assessed.peak_place);
   }
 
@@ -462,12 +456,12 @@ class SpectralContact {
       if (sketch.coefficients <= order || sketch.lawful) break;
       std::optional<SpectralState> state = edges_at(search, pattern, sketch.edges, order, most);
       if (!state) {
-        sketch.coefficients = std::max(coefficients, fewest_unsketched);
+        sketch = {start, std::max(coefficients, fewest_unsketched)};  // edges from too few points lead astray
         break;
       }
       sketch.edges = state->edges;
       sketch.resistance = resistance_of(*state);
-      sketch.tail = graded_tail(order);
+      sketch.tail = graded_tail(resolving(order));
       const double part = std::min(scale_of(*state) / lever_of(*state), 1.0);
       const double accuracy = std::max(wanted_change(true) * part, smallest_tolerance);
       sketch.coefficients =
@@ -483,7 +477,7 @@ class SpectralContact {
       work_ += work_of_check(problem_, pattern, order, sketch.edges.contact.half_length());
       const AssessedSpectral assessed = assess(problem_, *last_);
       const auto final_order = static_cast<int>(next_order(sketch.coefficients, true));
-      sketch.lawful = assessed.wrong_zone < graded_field_error(final_order);
+      sketch.lawful = assessed.wrong_zone < field_error_of(final_order);
       sketch.refuted = assessed.wrong_zone > refuted_at(order);
       if (!sketch.refuted) continue;
       take_over_wrongs(assessed);
@@ -516,9 +510,9 @@ class SpectralContact {
 
   void take_over_wrongs(const AssessedSpectral& assessed) {
     wrong_ = assessed.wrong_zone;
-    reversed_ = assessed.reversed;
-    overloaded_ = assessed.overloaded;
-    overload_direction_ = assessed.overload_direction;
+    wrong_runs_ = assessed.wrong_runs;
+    std::stable_sort(wrong_runs_.begin(), wrong_runs_.end(),
+                     [](const WrongRun& a, const WrongRun& b) { return a.amount > b.amount; });
   }
 
   static constexpr double order_growth = 1.4;
@@ -526,7 +520,7 @@ class SpectralContact {
   /// Violation of an inequality at an order of few graded points that refutes the pattern.
   double refuted_at(int order) const {
     constexpr double times_field_error = 1.5, usual_friction = 0.2;  // of right patterns less, on random scenes
-    return times_field_error * graded_field_error(order) * std::max(1.0, usual_friction / model_.friction_coefficient);
+    return times_field_error * field_error_of(order) * std::max(1.0, usual_friction / model_.friction_coefficient);
   }
 
   double resistance_of(const SpectralState& state) const {
@@ -552,9 +546,10 @@ class SpectralContact {
   SpectralProblem problem_;
   std::optional<SpectralState> last_;
   std::optional<AssessedSpectral> best_;
-  double overloaded_ = RollingSolution::absent, reversed_ = RollingSolution::absent;
   double wrong_ = RollingSolution::absent;
-  int overload_direction_ = 0;
+  std::vector<WrongRun> wrong_runs_;     // of the last pattern, the worst first
+  std::vector<std::vector<int>> tried_;  // slips of patterns that were refined
+  bool from_grid_ = false;               // whether edges to start with are a grid's
   int evaluations_ = 0;
   double work_ = 0;
   std::optional<FoundZones> zones_;  // of the best answer

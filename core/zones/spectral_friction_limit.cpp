@@ -1,8 +1,10 @@
 #include "core/zones/spectral_friction_limit.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 #include "core/numerics/bracketed_root.hpp"
+#include "core/zones/spectral_field.hpp"
 #include "core/zones/spectral_search.hpp"
 #include "core/zones/spectral_start.hpp"
 #include "core/zones/surface_panels.hpp"
@@ -10,6 +12,21 @@
 namespace rollres {
 
 namespace {
+
+/// Whether the body pulls somewhere: of a thin compressible layer under much friction the equations have such roots.
+bool pulls(const SpectralProblem& problem, const SpectralState& state) {
+  constexpr double tolerated = 1e-3;  // of the largest pressure
+  constexpr int points = 100;
+  const SpectralField field(problem, state);
+  const Interval& contact = state.edges.contact;
+  double least = INFINITY, largest = 0;
+  for (int k = 1; k < points; ++k) {
+    const double pressure = field.pressure(contact.from + 2 * contact.half_length() * k / points);
+    least = std::min(least, pressure);
+    largest = std::max(largest, pressure);
+  }
+  return !(least > -tolerated * largest) || !(state.load > 0);
+}
 
 /// Surplus of the drive's row [N/m] in the direction asked for, when the body turns so fast (+1) or so slowly (-1) that
 /// the whole contact slides one way; NaN if that could not be solved.
@@ -20,7 +37,7 @@ double sliding_surplus(const SpectralProblem& given, const Interval& contact, do
   const SpectralEdges start{contact, {}};
   const int order = first_order(problem, start, 1e-8, true);
   const std::optional<SpectralState> state = EdgeSearch(problem, sliding).find(start, {order, order}, 1e-10);
-  if (!state) return NAN;
+  if (!state || pulls(problem, *state)) return NAN;
   double surplus = drive_row(problem.model, state->driving_torque, state->driving_force) - drive_target(problem.model);
   if (problem.coating) {
     surplus += coating_in_drive(problem.model, coating_moments(problem, *state)) -

@@ -15,7 +15,7 @@ namespace rollres {
 namespace {
 
 constexpr int intervals_per_half_length = 30;
-constexpr double least_reversal = 1e-6;  // of the slip, relative
+constexpr double least_wrong = 1e-6;  // violation that calls for another zone, relative
 
 class SpectralAssessment {
  public:
@@ -136,7 +136,6 @@ class SpectralAssessment {
     const double pressure_scale = s_.peak_pressure, shear_scale = std::max(law_.bound(pressure_scale), 1e-300);
     double worst = 0, load = 0, torque = 0, force = 0;
     const auto violated = [&](double amount) { worst = std::max(worst, std::isnan(amount) ? INFINITY : amount); };
-    double overload = 0;
     const auto wrong = [&](double amount) {
       violated(amount);
       if (!(amount <= assessed_.wrong_zone)) assessed_.wrong_zone = std::isnan(amount) ? INFINITY : amount;
@@ -161,16 +160,11 @@ class SpectralAssessment {
         if (panel.zone == Zone::stick) {
           wrong(friction.shear);
           violated(friction.slip);
-          if (friction.shear > overload) {
-            overload = friction.shear;
-            assessed_.overloaded = x;
-            assessed_.overload_direction = shear > 0 ? 1 : -1;
-          }
+          call_for_zone(true, x, friction.shear, shear > 0 ? 1 : -1);
         } else {
           violated(friction.shear);
           wrong(friction.slip);
-          const bool trailing = !state_.edges.sticks.empty() && x < state_.edges.sticks.front().from;
-          if (trailing && friction.slip > least_reversal && !(x <= assessed_.reversed)) assessed_.reversed = x;
+          call_for_zone(false, x, friction.slip, shear > 0 ? -1 : 1);
         }
       }
     }
@@ -187,6 +181,28 @@ class SpectralAssessment {
     s_.law_violation = state_.graded                      ? violated_at_nodes(shear_scale)
                        : problem_.sheared_ring(sheared()) ? state_.residuals.cwiseAbs().maxCoeff()
                                                           : worst;
+  }
+
+  /// Takes over a point of the contact, from the leading edge on. One that obeys the laws ends a run.
+  void call_for_zone(bool in_stick, double x, double amount, int direction) {
+    if (!(amount > least_wrong)) {
+      run_open_ = false;
+      return;
+    }
+    std::vector<WrongRun>& runs = assessed_.wrong_runs;
+    const std::vector<Interval>& sticks = state_.edges.sticks;
+    std::size_t zone = 0;
+    while (zone < sticks.size() && x > (in_stick ? sticks[zone].to : sticks[zone].from)) ++zone;
+    const bool same = run_open_ && runs.back().in_stick == in_stick && runs.back().zone == zone;
+    if (!same) runs.push_back({in_stick, zone, direction, x, x, 0});
+    WrongRun& run = runs.back();
+    run.from = std::min(run.from, x);
+    run.to = std::max(run.to, x);
+    if (amount > run.amount) {
+      run.amount = amount;
+      run.direction = direction;
+    }
+    run_open_ = true;
   }
 
   /// Where the laws are imposed: at the middles by a linear system, of which the residuals are left, and at nodes but
@@ -283,6 +299,7 @@ class SpectralAssessment {
   FrictionLaw law_;
   double half_;
   AssessedSpectral assessed_;
+  bool run_open_ = false;  // the last point checked belongs to the last of the wrong runs
   RollingSolution& s_ = assessed_.solution;
 };
 

@@ -15,6 +15,15 @@
 
 namespace rollres {
 
+/// Neighbouring points of one zone that call for another zone.
+struct WrongRun {
+  bool in_stick;     ///< too much shear for a stick; else slip against its shear
+  std::size_t zone;  ///< index of the stick, or of the zone of slip
+  int direction;     ///< of the shear where it sticks; that which would go with the slip where it slips
+  double from, to;   ///< [m]
+  double amount;     ///< the largest violation in it
+};
+
 struct AssessedSpectral {
   /// All outputs but those that only the caller knows (status, reason, iterations, seconds, method, model, warnings,
   /// error_estimate). The fields stand on a uniform grid, 30 intervals per half-length.
@@ -23,11 +32,7 @@ struct AssessedSpectral {
   double violation = 0;
   /// The largest of an inequality: what another pattern would mend. The rest is a matter of the orders.
   double wrong_zone = 0;
-  /// Place of the largest shear beyond friction's bound in the stick, if any [m], and the direction of shear there.
-  double overloaded = RollingSolution::absent;
-  int overload_direction = 0;
-  /// Up to where from the trailing edge the body slips against the shear there, if at all [m].
-  double reversed = RollingSolution::absent;
+  std::vector<WrongRun> wrong_runs;             ///< from the leading edge on
   double peak_place = RollingSolution::absent;  ///< of the largest pressure [m]
 };
 

@@ -10,16 +10,9 @@
 
 namespace rollres {
 
-namespace {
-
-constexpr std::size_t most_sticks = 3;
-
-/// Half the width of the strip in which graded points' functions are analytic, over that without layers.
 double free_strip(const SpectralProblem& problem, const Interval& contact) {
   return problem.layered() ? 2 / M_PI * std::atan(2 * problem.correction->depth() / contact.half_length()) : 1;
 }
-
-}  // namespace
 
 int graded_order(const SpectralProblem& problem, const Interval& contact, double accuracy) {
   constexpr double coupled = 0.01;  // from where on pressure and shear have other exponents than roots

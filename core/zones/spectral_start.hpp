@@ -8,6 +8,8 @@
 
 namespace rollres {
 
+constexpr std::size_t most_sticks = 4;  ///< patterns with more of them are left to grids
+
 struct PatternStart {
   SlipPattern pattern;
   SpectralEdges edges;
@@ -16,6 +18,9 @@ struct PatternStart {
 /// Coefficients that resolve a layer, for a first try (core/spectral/README.md, (S26)).
 /// @param shear whether there is friction
 int first_order(const SpectralProblem& problem, const SpectralEdges& edges, double tolerance, bool shear);
+
+/// Half the width of the strip in which graded points' functions are analytic, over that without layers.
+double free_strip(const SpectralProblem& problem, const Interval& contact);
 
 /// Order of graded points from which the next one makes the resistance err by so much of load times half-width over
 /// radius, as met with.
