@@ -187,6 +187,22 @@ TEST_CASE("spectral and newton agree on a driven and a braked ring", "[core][coa
   CHECK(got.approach == Approx(expected.approach).epsilon(1e-4));
 }
 
+TEST_CASE("a train of wheels with compressible covers creeps as a single one", "[core][coated_resultants]") {
+  // A cover that yields as a whole is strained around, by w/R on average, which no wave of the train knows.
+  RollingScene scene = thin_tyre();
+  scene.drive = Drive::torque;
+  scene.driving_torque = 0.3 * *scene.load * scene.radius;
+  scene.coating_layers[0].poisson_ratio = 0.3;
+  scene.method = Method::newton;
+  scene.spacing = 0.1e-3;
+  const RollingSolution single = converged(scene);
+  scene.period = 0.3;
+  scene.series_terms = 20000;
+  const RollingSolution train = converged(scene);
+  CHECK(train.rotation_ratio - 1 == Approx(single.rotation_ratio - 1).epsilon(1e-4));
+  CHECK(train.rolling_resistance == Approx(single.rolling_resistance).epsilon(1e-4));
+}
+
 TEST_CASE("a turning coated sphere without friction loses what its layers do", "[core][coated_resultants][long]") {
   const double ratio = GENERATE(-0.8, 0.3);
   RollingScene scene = turning_at(as_ball(soft_tyre_on_rubber()), ratio);
