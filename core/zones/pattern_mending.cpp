@@ -34,14 +34,13 @@ double overload_start(const SpectralProblem& problem, const SpectralState& state
   double start = stick.to - 0.5 * step;
   for (int k = 1; k < 99; ++k)
     if (const double x = stick.to - k * step; overloaded(x)) start = x;
-  if (!state.graded || start < stick.to - step) return start;
+  if (!state.graded || start < stick.to - step) return true;
   for (double distance = step; distance > 1e-7 * step; distance *= 0.8)
     if (const double x = stick.to - distance; overloaded(x)) return x;
-  return start;
+  return true;
 }
 
-std::optional<PatternStart> with_slip(const SpectralProblem& problem, const SpectralState& state, const WrongRun& run) {
-  PatternStart start{state.pattern, state.edges};
+bool add_slip(const SpectralProblem& problem, const SpectralState& state, const WrongRun& run, PatternStart& start) {
   std::vector<int>& slips = start.pattern.slips;
   std::vector<Interval>& sticks = start.edges.sticks;
   const auto zone = static_cast<std::ptrdiff_t>(run.zone);
@@ -49,25 +48,24 @@ std::optional<PatternStart> with_slip(const SpectralProblem& problem, const Spec
   const Reach reach(stick, run);
   const bool at_edge = reach.front ? run.zone + 1 == sticks.size() && slips.back() == 0
                                    : reach.back && run.zone == 0 && slips.front() == 0;
-  if (reach.all()) return {};
+  if (reach.all()) return false;
   if (at_edge) {
     (reach.front ? slips.back() : slips.front()) = run.direction;
     (reach.front ? sticks.back().to : sticks.front().from) =
         reach.front ? overload_start(problem, state, stick) : run.to;
-    return start;
+    return true;
   }
   // Next to slip the same way it is the border's place that is wrong.
   if ((reach.front && slips[run.zone + 1] == run.direction) || (reach.back && slips[run.zone] == run.direction))
-    return {};
+    return false;
   const double kept = short_stick * (run.to - run.from);
   sticks[run.zone] = {stick.from, reach.back ? stick.from + kept : run.from};
   sticks.insert(sticks.begin() + zone + 1, Interval{reach.front ? stick.to - kept : run.to, stick.to});
   slips.insert(slips.begin() + zone + 1, run.direction);
-  return start;
+  return true;
 }
 
-std::optional<PatternStart> with_stick(const SpectralState& state, const WrongRun& run) {
-  PatternStart start{state.pattern, state.edges};
+bool add_stick(const SpectralState& state, const WrongRun& run, PatternStart& start) {
   std::vector<int>& slips = start.pattern.slips;
   std::vector<Interval>& sticks = start.edges.sticks;
   const auto zone = static_cast<std::ptrdiff_t>(run.zone);
@@ -83,9 +81,9 @@ std::optional<PatternStart> with_stick(const SpectralState& state, const WrongRu
       sticks.erase(sticks.begin() + zone);
       slips.erase(slips.begin() + zone);
     }
-    return start;
+    return true;
   }
-  if (reach.back ? !first : reach.front && !last) return {};  // the border of a stick is at the wrong place
+  if (reach.back ? !first : reach.front && !last) return false;  // the border of a stick is at the wrong place
   Interval stick{run.from, run.to};
   if (reach.back || reach.front) {
     const double outer = reach.back ? slip.from : slip.to, inner = reach.back ? slip.to : slip.from;
@@ -103,14 +101,22 @@ std::optional<PatternStart> with_stick(const SpectralState& state, const WrongRu
   sticks.insert(sticks.begin() + zone, stick);
   slips.insert(slips.begin() + zone + (reach.front ? 1 : 0),
                reach.back || reach.front ? run.direction : slips[run.zone]);
-  return start;
+  return true;
 }
 
 }  // namespace
 
-std::optional<PatternStart> mended(const SpectralProblem& problem, const SpectralState& state, const WrongRun& run) {
-  if (!(run.to > run.from)) return {};
-  return run.in_stick ? with_slip(problem, state, run) : with_stick(state, run);
+std::optional<PatternStart> mended(const SpectralProblem& problem, const SpectralState& state,
+                                   std::span<const WrongRun> runs) {
+  PatternStart start{state.pattern, state.edges};
+  const WrongRun* before = nullptr;
+  for (const WrongRun& run : runs) {  // from the leading edge on: zones behind keep their indices
+    const bool same_zone = before && before->in_stick == run.in_stick && before->zone == run.zone;
+    if (!(run.to > run.from) || (same_zone && start.pattern.slips.size() != state.pattern.slips.size())) return {};
+    if (!(run.in_stick ? add_slip(problem, state, run, start) : add_stick(state, run, start))) return {};
+    before = &run;
+  }
+  return start;
 }
 
 }  // namespace rollres

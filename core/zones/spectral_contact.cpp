@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <span>
 #include <vector>
 
 #include "core/estimate/grid_choice.hpp"
@@ -185,18 +186,26 @@ class SpectralContact {
       return false;
     start.pattern.slips.front() *= -1;
     stick.from = contact.from + share * (contact.to - contact.from);
-    return refine(start.pattern, start.edges);
+    return try_mended(std::move(start));
   }
 
-  /// The pattern that the last state's violations ask for, from the largest on.
+  /// A new pattern that the last state's violations ask for: the large ones together, or one alone, the largest first.
   std::optional<PatternStart> mend_last() {
-    if (!last_->graded && wrong_ > nearly_right && !wrong_runs_.empty() && !wrong_runs_.front().in_stick) return {};
-    for (const WrongRun& run : wrong_runs_) {
-      std::optional<PatternStart> next = mended(problem_, *last_, run);
-      if (!next || next->pattern.sticks() > most_sticks || was_tried(next->pattern)) continue;
+    constexpr double large = 0.3;  // of the largest
+    std::vector<WrongRun> alone = wrong_runs_;
+    std::stable_sort(alone.begin(), alone.end(),
+                     [](const WrongRun& a, const WrongRun& b) { return a.amount > b.amount; });
+    if (alone.empty() || (!last_->graded && wrong_ > nearly_right && !alone.front().in_stick)) return {};
+    std::vector<WrongRun> together = wrong_runs_;
+    std::erase_if(together, [&](const WrongRun& run) { return run.amount < large * alone.front().amount; });
+    const auto untried = [&](std::span<const WrongRun> runs) -> std::optional<PatternStart> {
+      std::optional<PatternStart> next = mended(problem_, *last_, runs);
+      if (next && (next->pattern.sticks() > most_sticks || was_tried(next->pattern))) next.reset();
       return next;
-    }
-    return {};
+    };
+    std::optional<PatternStart> next = untried(together);
+    for (std::size_t i = 0; !next && i < alone.size(); ++i) next = untried({&alone[i], 1});
+    return next;
   }
   bool was_tried(const SlipPattern& pattern) const {
     return std::find(tried_.begin(), tried_.end(), pattern.slips) != tried_.end();
@@ -513,8 +522,6 @@ class SpectralContact {
   void take_over_wrongs(const AssessedSpectral& assessed) {
     wrong_ = assessed.wrong_zone;
     wrong_runs_ = assessed.wrong_runs;
-    std::stable_sort(wrong_runs_.begin(), wrong_runs_.end(),
-                     [](const WrongRun& a, const WrongRun& b) { return a.amount > b.amount; });
   }
 
   static constexpr double order_growth = 1.4;
@@ -549,7 +556,7 @@ class SpectralContact {
   std::optional<SpectralState> last_;
   std::optional<AssessedSpectral> best_;
   double wrong_ = RollingSolution::absent;
-  std::vector<WrongRun> wrong_runs_;     // of the last pattern, the worst first
+  std::vector<WrongRun> wrong_runs_;     // of the last pattern, from the leading edge on
   std::vector<std::vector<int>> tried_;  // slips of patterns that were refined
   bool from_grid_ = false;               // whether edges to start with are a grid's
   int evaluations_ = 0;

@@ -19,8 +19,11 @@ SpectralState zoned(std::vector<int> slips, std::vector<Interval> sticks) {
 
 class Mending {
  public:
+  std::optional<PatternStart> operator()(const SpectralState& state, std::span<const WrongRun> runs) const {
+    return mended(problem_, state, runs);
+  }
   std::optional<PatternStart> operator()(const SpectralState& state, const WrongRun& run) const {
-    return mended(problem_, state, run);
+    return mended(problem_, state, {&run, 1});
   }
 
  private:
@@ -85,6 +88,17 @@ TEST_CASE("a stick slips where it is overloaded", "[core][spectral]") {
   SECTION("but not next to slip the same way, whose border the search moves") {
     CHECK_FALSE(mend(zoned({1, -1}, {{-0.5, 0.5}}), {true, 0, -1, 0.3, 0.5, 0.1}));
   }
+}
+
+TEST_CASE("what is wrong at both edges is mended at once", "[core][spectral]") {
+  const Mending mend;
+  const std::vector<WrongRun> within{{true, 0, 1, 0.1, 0.2, 0.1}, {true, 0, -1, -0.2, -0.1, 0.1}};
+  CHECK_FALSE(mend(zoned({1, -1}, {{-0.5, 0.5}}), within));  // two in one stick
+  const std::vector<WrongRun> apart{{false, 1, 1, 0.6, 1, 0.1}, {false, 0, -1, -1, -0.6, 0.1}};
+  const auto start = mend(zoned({1, -1}, {{-0.5, 0.5}}), apart);
+  REQUIRE(start);
+  CHECK(start->pattern.slips == std::vector<int>{-1, 1, -1, 1});
+  check_order(*start);
 }
 
 TEST_CASE("slip against its shear becomes slip the other way, or stick", "[core][spectral]") {
