@@ -31,7 +31,7 @@ install(TARGETS rollres RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR} COMPONENT pr
 install(TARGETS rollres_ceres LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR}/rollres COMPONENT program)
 install(DIRECTORY studies/examples studies/schema DESTINATION ${CMAKE_INSTALL_DATADIR}/rollres COMPONENT program)
 install(FILES README.md CITATION.cff ${written}/changelog.gz ${written}/changelog.Debian.gz DESTINATION ${CMAKE_INSTALL_DOCDIR} COMPONENT program)
-install(FILES studies/guide.md studies/keys.md DESTINATION ${CMAKE_INSTALL_DOCDIR}/studies COMPONENT program)
+install(FILES studies/guide.md studies/recipes.md studies/keys.md DESTINATION ${CMAKE_INSTALL_DOCDIR}/studies COMPONENT program)
 install(FILES LICENSE DESTINATION ${CMAKE_INSTALL_DOCDIR} RENAME copyright COMPONENT program)
 
 # rollres::scene_io, for programs that read scene files as this one does.

@@ -100,6 +100,8 @@ CommandOption* Command::add_flag(const std::string& name, bool& value, const std
   return options_.back().get();
 }
 
+void Command::group(const std::string& heading) { app_->group(heading); }
+
 void Command::footer(const std::string& text) { app_->footer(text); }
 void Command::callback(std::function<void()> act) { app_->callback(std::move(act)); }
 std::string Command::name() const { return app_->get_name(); }

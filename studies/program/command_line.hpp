@@ -95,6 +95,8 @@ class Command {
   CommandOption* add_option(const std::string& name, T& value, const std::string& meaning);
   CommandOption* add_flag(const std::string& name, bool& value, const std::string& meaning);
 
+  /// Heading of the help text under which the program lists this command.
+  void group(const std::string& heading);
   /// What the help text ends with.
   void footer(const std::string& text);
   /// What the command does once its words are read.

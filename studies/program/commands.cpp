@@ -17,14 +17,24 @@ namespace rollres {
 
 namespace {
 
-/// Every command, in the order of the help text.
-constexpr AddCommand* commands[] = {
-    add_solve,  add_draw,       add_film,    add_figures,    add_material, add_gradient,  add_sensitivity,
-    add_plan,   add_sweep,      add_scatter, add_serve,      add_optimise, add_fit,       add_status,
-    add_list,   add_show,       add_query,   add_compare,    add_chart,    add_report,    add_merge,
-    add_upkeep, add_slurm,      add_export,  add_import,     add_accuracy, add_stability, add_verify,
-    add_schema, add_quantities, add_manual,  add_completion,
+/// Commands under one heading of the help text.
+struct CommandGroup {
+  const char* heading;
+  std::vector<AddCommand*> commands;
 };
+
+/// Every command, in the order of the help text.
+const std::vector<CommandGroup>& command_groups() {
+  static const std::vector<CommandGroup> groups{
+      {"One scene", {add_new, add_solve, add_draw, add_figures, add_material, add_gradient, add_sensitivity}},
+      {"Studies, designs and fits", {add_plan, add_sweep, add_scatter, add_optimise, add_fit}},
+      {"What is stored", {add_status, add_list, add_show, add_query, add_compare, add_chart, add_report, add_film}},
+      {"Databases and clusters", {add_merge, add_upkeep, add_export, add_import, add_slurm}},
+      {"How well it computes", {add_verify, add_accuracy, add_stability}},
+      {"For programs and editors", {add_serve, add_schema, add_quantities, add_manual, add_completion}},
+  };
+  return groups;
+}
 
 constexpr const char* unwritable = "standard output: cannot be written";
 
@@ -66,7 +76,13 @@ int run_program(std::vector<std::string> words, Session session) {
     program.footer(
         "Example: rollres solve studies/examples/paper_cylinder.json\n"
         "Exit status: 0 answered; 1 no answer or not converged; 2 wrong input; 3 file or database failed.");
-    for (AddCommand* const add : commands) add(program, session);
+    for (const CommandGroup& group : command_groups())
+      for (AddCommand* const add : group.commands) {
+        const std::size_t before = program.subcommands().size();
+        add(program, session);
+        for (std::size_t i = before; i < program.subcommands().size(); ++i)
+          program.subcommands()[i]->group(group.heading);
+      }
     if (words.front() == "complete") {
       words.erase(words.begin());
       session.out << completions(program.words(), words);

@@ -19,9 +19,9 @@ using Catch::Matchers::Contains;
 
 namespace {
 
-constexpr const char* pages[] = {"README.md", "studies/guide.md"};
+constexpr const char* pages[] = {"README.md", "studies/guide.md", "studies/recipes.md"};
 
-/// The README and the guide.
+/// The README, the guide and the recipes.
 const std::string& all_pages() {
   static const std::string text = [] {
     std::string all;
@@ -96,7 +96,7 @@ bool can_run(const std::string& program, const std::string& probe) {
 
 }  // namespace
 
-TEST_CASE("every command of the README and of the guide runs, and every file that they name is there",
+TEST_CASE("every command of the README, the guide and the recipes runs, and every file that they name is there",
           "[studies][readme][long]") {
   const TemporaryDirectory directory;
   std::filesystem::create_directory(directory / "bin");
@@ -171,7 +171,7 @@ TEST_CASE("every command of the README and of the guide runs, and every file tha
   const std::regex count("([0-9]+) of [0-9]+ pass");
   std::smatch match;
   REQUIRE(std::regex_search(table.out, match, count));
-  for (const char* page : pages)
+  for (const char* page : {"README.md", "studies/guide.md"})
     CHECK_THAT(file_text(source_directory() / page), Contains("solves " + match[1].str() + " cases"));
 }
 
@@ -191,7 +191,7 @@ TEST_CASE("pictures are the same but for rounding", "[studies][readme]") {
   CHECK(changed(" L30,40", "") != "");
 }
 
-TEST_CASE("links, pictures, paths, options and files of the README and of the guide are as they say",
+TEST_CASE("links, pictures, paths, options and files of the README, the guide and the recipes are as they say",
           "[studies][readme]") {
   const std::string& text = all_pages();
   const auto each = [](const std::string& all, const std::string& pattern, const auto& act) {
