@@ -74,7 +74,10 @@ StudyReport study_report(ResultStore& store, const ReportOptions& options) {
     report.pictures += together.pictures;
   }
   for (const std::string& name : options.more_studies) {
-    const StudyReport one = report_of(store, {.study = name, .most_rows = options.most_rows});
+    ReportOptions alone = options;
+    alone.study = name;
+    alone.optimum.clear();
+    const StudyReport one = report_of(store, alone);
     report.study += ", " + one.study;
     report.html += one.html;
     report.pictures += one.pictures;
