@@ -125,6 +125,38 @@ TEST_CASE("a report holds all that is known of a study in one file that stands b
   CHECK(count_of(page, "url(") == count_of(page, "url(#"));  // parts of the page itself
 }
 
+TEST_CASE("a report draws slices of a study of five axes, or those that were asked for", "[studies][report]") {
+  const TemporaryDirectory scratch;
+  Study study{.name = "five axes",
+              .base = plain_scene(),
+              .axes = {{.key = "load", .values = {1e4, 2e4, 3e4}},
+                       {.key = "speed", .values = {0.01, 0.1, 1, 10}, .logarithmic = true},
+                       {.key = "layer_thickness", .values = {0.01, 0.02, 0.03}},
+                       {.key = "radius", .values = {0.1, 0.2, 0.3}},
+                       {.key = "friction_coefficient", .values = {0.1, 0.2, 0.3, 0.4}}}};
+  const std::string file = stored(scratch, study);
+  const auto report_with = [&](std::vector<std::string> options) {
+    const std::string out = (scratch / "report.html").string();
+    options.insert(options.begin(), {"report", "--db", file, "--out", out});
+    const ProgramRun run = run_rollres(options, closed_form);
+    CHECK(run.err.empty());
+    REQUIRE(run.status == 0);
+    return file_text(out);
+  };
+  const std::string page = report_with({});
+  CHECK(page.size() < 3'000'000);
+  CHECK_THAT(page, !Contains("Not drawn"));
+  for (const char* along : {"load", "speed", "layer thickness", "radius", "friction coefficient"})
+    CHECK_THAT(page, Contains("<figcaption>rolling resistance against " + std::string(along) + ", by "));
+  CHECK_THAT(page, Contains("<figcaption>rolling resistance against speed, by friction coefficient at load = 20 kN/m, "
+                            "layer thickness = 20 mm, radius = 200 mm</figcaption>"));
+
+  const std::string wished = report_with({"--x", "radius", "--family", "load", "--where", "speed=0.1 m/s"});
+  CHECK(count_of(wished, "<figcaption>rolling resistance against ") == 1);
+  CHECK_THAT(wished, Contains("<figcaption>rolling resistance against radius, by load at friction coefficient = 0.3, "
+                              "layer thickness = 20 mm</figcaption>"));
+}
+
 TEST_CASE("a chart of a report tells the numbers of its points and shows one curve alone", "[studies][report][long]") {
   const TemporaryDirectory scratch;
   ResultStore store(stored(scratch, speed_and_load("speed and load")), Access::read);
