@@ -157,6 +157,19 @@ TEST_CASE("a report draws slices of a study of five axes, or those that were ask
                               "layer thickness = 20 mm</figcaption>"));
 }
 
+TEST_CASE("a report shows a master curve as a picture and in short", "[studies][report]") {
+  const TemporaryDirectory scratch;
+  Study study = speed_and_load("rubber");
+  study.base.material = MaterialModel::master_curve;
+  study.base.frequencies = {1, 10, 100, 1e3, 1e4, 1e5, 1e6};
+  study.base.storage_moduli = {4.5e6, 5e6, 6e6, 1e7, 3e7, 1e8, 3.94e8};
+  study.base.loss_moduli = {1e5, 2e5, 5e5, 2e6, 1e7, 4e7, 8e7};
+  ResultStore store(stored(scratch, study), Access::read);
+  const std::string page = study_report(store, {}).html;
+  CHECK_THAT(page, Contains("<td>7 values, 4.5 MPa to 394 MPa</td>"));
+  CHECK(count_of(page, "<figcaption>The master curve of the layer, 7 values</figcaption>") == 1);
+}
+
 TEST_CASE("a chart of a report tells the numbers of its points and shows one curve alone", "[studies][report][long]") {
   const TemporaryDirectory scratch;
   ResultStore store(stored(scratch, speed_and_load("speed and load")), Access::read);
