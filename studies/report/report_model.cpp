@@ -47,8 +47,8 @@ std::vector<RollingScene> scenes_of_curves(const ReportSource& source) {
 }
 
 ChartRequest master_curve_chart(const ReportSource& source, const RollingScene& scene) {
-  const auto largest = std::max_element(scene.storage_moduli.begin(), scene.storage_moduli.end());
-  const ScaledUnit unit = scaled_unit_logarithmic("Pa", *largest, *largest);
+  const auto [least, largest] = std::minmax_element(scene.storage_moduli.begin(), scene.storage_moduli.end());
+  const ScaledUnit unit = scaled_unit_logarithmic("Pa", *least, *largest);
   ChartRequest request{.title = title_of_study(source.definition, source.study.name),
                        .subtitle = "moduli as listed, at the reference temperature",
                        .x = {.name = "frequency", .unit = "Hz", .logarithmic = true},
