@@ -303,6 +303,7 @@ TEST_CASE("the report of an optimisation opens with the best design within its c
       scratch.write("design.json", R"({"study": "design", "scene": {"radius": 0.1, "layer_thickness": 0.01,
     "static_shear_modulus": 1e6, "material": "elastic", "load": 1e4, "speed": 1}, "variables": {
     "load": {"from": 1e4, "to": 4e4, "start": 3e4}, "speed": {"from": 0.1, "to": 0.9, "start": 0.5}},
+    "compute": [{"power": "load * speed"}], "scenes": [{"set": {"radius": 0.1}, "weight": 2}],
     "minimise": "rolling_resistance", "constraints": ["load * speed >= 6000"]})");
   const std::string database = (scratch / "results.db").string();
   REQUIRE(run_rollres({"optimise", file.string(), "--db", database}, closed_form).status == 0);
@@ -314,6 +315,8 @@ TEST_CASE("the report of an optimisation opens with the best design within its c
                  Contains("It is held back by load * speed ≥ 6000, where 1 % more room would lower it by ") &&
                  Contains("To first order no design near it is better.") && Contains("<h2>Best design</h2>") &&
                  Contains("<td>load * speed ≥ 6000</td>") && Contains("<td>reached</td>") &&
+                 Contains("<td>power</td><td>load * speed</td>") &&
+                 Contains("<td>radius = 0.1</td><td class=\"number\">2</td>") &&
                  Contains("The best design, to scale: ") && Contains("1 % more room is worth") &&
                  !Contains("The rolling resistance lies between"));
   CHECK(report.html.find("<h2>Best design</h2>") < report.html.find("<h2>Charts</h2>"));
