@@ -271,10 +271,9 @@ Curves curves_of(const ShownStudy& shown, const Choice& choice, const ChartScale
       add_band(point, rows.number(row, "error_estimate"));
   }
   if (curves.size() > most_curves)
-    throw std::invalid_argument(shown.study.name + ": would need " + std::to_string(curves.size()) +
-                                " curves; show at most " + std::to_string(most_curves) +
-                                " by fixing an axis with --where, as in --where " + choice.families.back()->name +
-                                "=VALUE");
+    throw TooManyCurves(shown.study.name + ": would need " + std::to_string(curves.size()) + " curves; show at most " +
+                        std::to_string(most_curves) + " by fixing an axis with --where, as in --where " +
+                        choice.families.back()->name + "=VALUE");
   return curves;
 }
 

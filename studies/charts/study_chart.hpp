@@ -3,6 +3,8 @@
 /// The charts of a stored study: any number against any number, one curve for each value of its other axes; and its
 /// map, one output over two of its axes.
 
+#include <stdexcept>
+
 #include "studies/drawing/map_chart.hpp"
 #include "studies/stored/study_rows.hpp"
 #include "studies/study/study_definition.hpp"
@@ -40,6 +42,12 @@ using StoredMap = StoredPicture<MapRequest>;
 /// Curves of more values than this cannot be told apart any more.
 inline constexpr std::size_t most_curves = 24;
 
+/// A chart would need more curves than that: an axis must be fixed.
+class TooManyCurves : public std::invalid_argument {
+ public:
+  using std::invalid_argument::invalid_argument;
+};
+
 /// A study as it is read for a picture.
 struct ShownStudy {
   std::string file;  ///< of the database
@@ -73,6 +81,7 @@ StudyChart chart_of_file(ResultStore& store, const std::string& study, const std
 /// Rolling resistance, and its coefficient, has a band as wide as its estimated error on either side.
 /// @throws std::invalid_argument naming what is unknown (and the nearest known name), what cannot be drawn, or that no
 ///         row is left
+/// @throws TooManyCurves
 /// @throws std::runtime_error naming the file if the database fails
 StoredChart stored_chart(ResultStore& store, const StudyChartOptions& options);
 

@@ -2,6 +2,7 @@
 
 #include "studies/program/commands.hpp"
 #include "studies/report/report.hpp"
+#include "studies/stored/study_rows.hpp"
 #include "studies/text/files.hpp"
 
 namespace rollres {
@@ -10,7 +11,7 @@ namespace {
 
 struct ReportArguments {
   std::string database, out;
-  std::vector<std::string> studies;
+  std::vector<std::string> studies, filters;
   int rows = 200;
   ReportOptions options;
 };
@@ -23,6 +24,7 @@ void report(const ReportArguments& arguments, Session& session) {
     options.study = arguments.studies.front();
     options.more_studies.assign(arguments.studies.begin() + 1, arguments.studies.end());
   }
+  for (const std::string& text : arguments.filters) options.filters.push_back(read_filter(text));
   options.most_rows = static_cast<std::size_t>(arguments.rows);
   const StudyReport made = study_report(store, options);
   const std::filesystem::path file = arguments.out;
@@ -49,6 +51,15 @@ void add_report(Command& program, Session& session) {
       ->between(1, 100'000);
   command->add_option("--optimum NAME", arguments.options.optimum,
                       "optimisation in the same database, to be drawn into a map of the study");
+  command->add_option("--x KEY", arguments.options.x,
+                      "input or output along x of the charts of curves; left out: as in chart, and where that has too "
+                      "many curves each axis in turn, the others at their middle values");
+  command->add_option("--family KEY", arguments.options.family,
+                      "axis with one curve for each value; left out: as in chart");
+  command
+      ->add_option("--where FILTER", arguments.filters,
+                   "draw charts of points with KEY=VALUE only, as in query; may be repeated")
+      ->one_value_each();
   command->footer(
       "The file needs no network; pictures are inside. Its small script zooms charts, shows one curve alone and\n"
       "sorts tables; all of it can be read without.\n"

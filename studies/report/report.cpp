@@ -41,7 +41,8 @@ StudyReport report_of(ResultStore& store, const ReportOptions& options) {
   StudyReport report{study.name, "<h1>" + html::text(title) + "</h1>\n", charts.pictures + errors.pictures};
   const std::optional<StoredOptimum> found = stored_optimum(store, study.name);
   const PictureSection sketch = sketch_section(source, found);
-  report.pictures += sketch.pictures;
+  const PictureSection moduli = master_curve_section(source);
+  report.pictures += sketch.pictures + moduli.pictures;
   if (found) {
     const PictureSection optimum = optimum_section(source, *found);
     report.html += summary_section(source, optimum_sentences(*found)) + optimum.html;
@@ -49,8 +50,8 @@ StudyReport report_of(ResultStore& store, const ReportOptions& options) {
   } else {
     report.html += summary_section(source);
   }
-  report.html += charts.html + html::heading("Scene") + sketch.html + scene_section(source) + failure_section(source) +
-                 model_section(source) + result_section(source, options.most_rows);
+  report.html += charts.html + html::heading("Scene") + sketch.html + moduli.html + scene_section(source) +
+                 failure_section(source) + model_section(source) + result_section(source, options.most_rows);
   std::string fit_file;
   if (const auto fit = find_fit(store.database(), study.name, FitParts::with_data)) {
     const PictureSection section = fit_section(*fit);
@@ -74,7 +75,10 @@ StudyReport study_report(ResultStore& store, const ReportOptions& options) {
     report.pictures += together.pictures;
   }
   for (const std::string& name : options.more_studies) {
-    const StudyReport one = report_of(store, {.study = name, .most_rows = options.most_rows});
+    ReportOptions alone = options;
+    alone.study = name;
+    alone.optimum.clear();
+    const StudyReport one = report_of(store, alone);
     report.study += ", " + one.study;
     report.html += one.html;
     report.pictures += one.pictures;

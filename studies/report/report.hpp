@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "db/queries/query.hpp"
 #include "db/rows/result_store.hpp"
 
 namespace rollres {
@@ -16,6 +17,8 @@ struct ReportOptions {
   std::vector<std::string> more_studies = {};  ///< that follow it, after a chart of all
   std::size_t most_rows = 200;                 ///< of the table of results; of a longer study every n-th point
   std::string optimum = {};                    ///< an optimisation in the same database to be drawn into the map
+  std::string x = {}, family = {};             ///< of its charts of curves; empty: as StudyChartOptions
+  std::vector<Filter> filters = {};            ///< rows that its charts show
 };
 
 struct StudyReport {

@@ -161,6 +161,11 @@ const value = (text) => {  // "20 kN/m" is more than "300 N/m"; words come after
   const parts = /^(-?[0-9.]+(?:e[-+]?[0-9]+)?)(?: ([nµmkMG])(?=[a-zA-Z]))?/.exec(text);
   return parts ? Number(parts[1]) * (parts[2] ? factors[parts[2]] : 1) : text === 'infinite' ? Infinity : NaN;
 };
+// On a narrow page each row stands as lines, a cell beside the head of its column.
+for (const table of document.querySelectorAll('table')) {
+  const heads = [...table.querySelectorAll('th')].map((head) => head.textContent);
+  for (const row of table.tBodies[0].rows) [...row.cells].forEach((cell, i) => { cell.dataset.head = heads[i]; });
+}
 for (const table of document.querySelectorAll('table.sortable'))
   table.querySelectorAll('thead th').forEach((head, column) => {
     const button = document.createElement('button');

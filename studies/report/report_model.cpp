@@ -2,6 +2,7 @@
 
 #include "studies/report/html.hpp"
 #include "studies/report/report_sections.hpp"
+#include "studies/text/readable_number.hpp"
 #include "studies/text/similar_texts.hpp"
 
 namespace rollres {
@@ -27,7 +28,51 @@ void add_parts(std::vector<std::string>& parts, const std::string& text, std::st
   }
 }
 
+/// The scenes of some points, evenly from all, that have a master curve; one for each curve.
+std::vector<RollingScene> scenes_of_curves(const ReportSource& source) {
+  constexpr std::size_t most_points = 64, most_curves_shown = 4;
+  std::vector<RollingScene> found;
+  const std::vector<std::string> keys = source.store.points(source.study.name);
+  for (std::size_t i = 0; i < keys.size() && found.size() < most_curves_shown; i += 1 + keys.size() / most_points) {
+    const auto answer = source.store.find(keys[i]);
+    if (!answer || answer->scene.frequencies.empty()) continue;
+    const RollingScene& scene = answer->scene;
+    if (std::none_of(found.begin(), found.end(), [&](const RollingScene& other) {
+          return other.frequencies == scene.frequencies && other.storage_moduli == scene.storage_moduli &&
+                 other.loss_moduli == scene.loss_moduli;
+        }))
+      found.push_back(scene);
+  }
+  return found;
+}
+
+ChartRequest master_curve_chart(const ReportSource& source, const RollingScene& scene) {
+  const auto [least, largest] = std::minmax_element(scene.storage_moduli.begin(), scene.storage_moduli.end());
+  const ScaledUnit unit = scaled_unit_logarithmic("Pa", *least, *largest);
+  ChartRequest request{.title = title_of_study(source.definition, source.study.name),
+                       .subtitle = "moduli as listed, at the reference temperature",
+                       .x = {.name = "frequency", .unit = "Hz", .logarithmic = true},
+                       .y = {.name = "modulus", .unit = typeset_unit(unit.name), .logarithmic = true},
+                       .curves = {{"storage modulus", {}}, {"loss modulus", {}}},
+                       .mark_peaks = false};
+  for (std::size_t i = 0; i < scene.frequencies.size(); ++i)
+    for (const auto& [curve, moduli] : {std::pair(0, &scene.storage_moduli), std::pair(1, &scene.loss_moduli)})
+      if ((*moduli)[i] > 0)
+        request.curves[static_cast<std::size_t>(curve)].points.push_back(
+            {scene.frequencies[i], (*moduli)[i] / unit.factor});
+  std::erase_if(request.curves, [](const ChartCurve& curve) { return curve.points.empty(); });
+  return request;
+}
+
 }  // namespace
+
+PictureSection master_curve_section(const ReportSource& source) {
+  std::vector<std::pair<std::string, ChartRequest>> charts;
+  for (const RollingScene& scene : scenes_of_curves(source))
+    charts.emplace_back("The master curve of the layer, " + std::to_string(scene.frequencies.size()) + " values",
+                        master_curve_chart(source, scene));
+  return chart_pictures(charts);
+}
 
 std::string count_table(const std::string& what, const std::vector<std::string>& texts) {
   constexpr std::size_t most = 20;

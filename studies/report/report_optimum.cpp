@@ -6,6 +6,7 @@
 #include "studies/report/html.hpp"
 #include "studies/report/report_sections.hpp"
 #include "studies/text/readable_number.hpp"
+#include "studies/text/strict_json.hpp"
 #include "studies/text/words.hpp"
 
 namespace rollres {
@@ -70,6 +71,32 @@ std::string design_table(const StoredOptimum& found) {
   if (found.search && found.search->optimum)
     columns.insert(columns.end(), {{"room"}, {"1 % more room is worth", true}});
   return section + (rows.empty() ? "" : html::table(columns, rows));
+}
+
+/// A text of the file as it stands, anything else as JSON.
+std::string written(const Json& value) { return value.is_string() ? value.get<std::string>() : value.dump(); }
+
+/// What the file asks for: the goal, the formulas that it uses, and the scenes of the duty cycle with their weights.
+std::string task_tables(const ReportSource& source) {
+  const Json file = parse_object(source.definition_text, source.file() + ": " + source.study.name);
+  std::vector<TableRow> formulas, scenes;
+  for (const char* const key : {"minimise", "maximise"})
+    if (file.contains(key)) formulas.push_back({{key, written(file.at(key))}});
+  if (file.contains("compute") && file.at("compute").is_array())
+    for (const Json& one : file.at("compute"))
+      if (one.is_object())
+        for (const auto& [name, formula] : one.items()) formulas.push_back({{in_words(name), written(formula)}});
+  if (file.contains("scenes") && file.at("scenes").is_array())
+    for (const Json& scene : file.at("scenes")) {
+      std::string inputs;
+      if (scene.contains("set"))
+        for (const auto& [key, value] : scene.at("set").items())
+          inputs += (inputs.empty() ? "" : ", ") + in_words(key) + " = " + written(value);
+      scenes.push_back({{inputs, scene.contains("weight") ? written(scene.at("weight")) : "1"}});
+    }
+  std::string section = formulas.empty() ? "" : html::table({{"asked for"}, {"formula"}}, formulas);
+  if (!scenes.empty()) section += html::table({{"scene of the duty cycle"}, {"weight", true}}, scenes);
+  return section;
 }
 
 /// All designs over the first two variables: those that keep the constraints, those that do not, the way of the search
@@ -137,7 +164,7 @@ std::vector<std::string> optimum_sentences(const StoredOptimum& found) {
 PictureSection optimum_section(const ReportSource& source, const StoredOptimum& found) {
   std::string section = html::heading("Best design");
   if (!found.best) return {section + html::paragraph("No design meets the constraints."), 0};
-  section += design_table(found);
+  section += design_table(found) + task_tables(source);
   if (!found.search)
     section += html::paragraph("What the constraints cost: rollres optimise tells it, with the file at the end.");
   std::vector<std::pair<std::string, ChartRequest>> charts;

@@ -53,24 +53,61 @@ struct FixedAxes {
   std::string words;  ///< " at load = 10 kN/m"
 };
 
-/// All varied axes but the first few, which are numbers and have the most values, at their middle values.
-FixedAxes all_but_longest(const ReportSource& source, std::size_t free) {
-  std::vector<const QuantityColumn*> axes = source.varied();
-  std::stable_sort(axes.begin(), axes.end(), [&](const auto* one, const auto* other) {
-    const auto rank = [&](const auto* axis) { return axis->type == "TEXT" ? 0 : source.rows.values(*axis).size(); };
-    return rank(one) > rank(other);
-  });
-  FixedAxes fixed;
-  for (std::size_t i = free; i < axes.size(); ++i) {
-    const std::set<Cell> values = source.rows.values(*axes[i]);
+/// Rows as they are left where axes are fixed at their middle values, one after the other: those that go together with
+/// one that is fixed have one value then, and those that scatter stay free.
+FixedAxes fixed_at_middle(const ReportSource& source, const ReportOptions& options,
+                          const std::vector<const QuantityColumn*>& axes) {
+  FixedAxes fixed{options.filters, ""};
+  for (const QuantityColumn* const axis : axes) {
+    const StudyRows rows(source.store, source.study.name, fixed.filters);
+    const std::set<Cell> values = rows.values(*axis);
+    if (values.size() < 2 || source.definition.uncertain.contains(key_of(*axis))) continue;
     const Cell& middle = *std::next(values.begin(), static_cast<std::ptrdiff_t>(values.size() / 2));
     const auto* const number = std::get_if<double>(&middle);
-    fixed.filters.push_back(
-        {axes[i]->name, Comparison::equal, number ? shortest(*number) : value_in_words(middle, "")});
-    fixed.words += (fixed.words.empty() ? " at " : ", ") + in_words(std::string(axes[i]->quantity.key)) + " = " +
-                   value_in_words(axes[i]->quantity, middle, unit_in(source.rows, *axes[i]));
+    fixed.filters.push_back({axis->name, Comparison::equal, number ? shortest(*number) : value_in_words(middle, "")});
+    fixed.words += (fixed.words.empty() ? " at " : ", ") + in_words(std::string(axis->quantity.key)) + " = " +
+                   value_in_words(axis->quantity, middle, unit_in(rows, *axis));
   }
   return fixed;
+}
+
+/// The axes that vary: the wished one first, then numbers, those with the most values first.
+std::vector<const QuantityColumn*> longest_first(const ReportSource& source, const std::string& wish) {
+  std::vector<const QuantityColumn*> axes = source.varied();
+  std::stable_sort(axes.begin(), axes.end(), [&](const auto* one, const auto* other) {
+    const auto rank = [&](const auto* axis) {
+      if (!wish.empty() && (key_of(*axis) == wish || axis->name == wish)) return source.rows.size() + 1;
+      return axis->type == "TEXT" ? 0 : source.rows.values(*axis).size();
+    };
+    return rank(one) > rank(other);
+  });
+  return axes;
+}
+
+/// All varied axes but the first few, which are numbers and have the most values, at their middle values.
+FixedAxes all_but_longest(const ReportSource& source, const ReportOptions& options, std::size_t free) {
+  std::vector<const QuantityColumn*> axes = longest_first(source, options.x);
+  axes.erase(axes.begin(), axes.begin() + static_cast<std::ptrdiff_t>(std::min(free, axes.size())));
+  return fixed_at_middle(source, options, axes);
+}
+
+/// All varied axes but one and its family at their middle values. The family is the wished one, else that with the
+/// most values that colours still tell apart.
+FixedAxes slice_along(const ReportSource& source, const ReportOptions& options, const QuantityColumn& along) {
+  constexpr std::size_t most_colours = 7;
+  std::vector<const QuantityColumn*> fixed;
+  const QuantityColumn* family = nullptr;
+  std::size_t most = 0;
+  for (const QuantityColumn* const axis : longest_first(source, "")) {
+    if (axis == &along || source.definition.are_together(key_of(along), key_of(*axis))) continue;
+    fixed.push_back(axis);
+    const std::size_t count = source.rows.values(*axis).size();
+    const bool wished = key_of(*axis) == options.family || axis->name == options.family;
+    if (wished || (options.family.empty() && count <= most_colours && count > most)) family = axis;
+    if (family == axis) most = count;
+  }
+  std::erase(fixed, family);
+  return fixed_at_middle(source, options, fixed);
 }
 
 /// What a chart cannot show is told in its place; a picture nobody asked for is left out.
@@ -82,33 +119,69 @@ void where_possible(const std::function<void()>& draw, std::string* refusal = nu
   }
 }
 
-void add_map_of_file(const ReportSource& source, const StudyChart& wish, Pictures& pictures) {
+void add_map_of_file(const ReportSource& source, const ReportOptions& options, const StudyChart& wish,
+                     Pictures& pictures) {
   const StoredMap map =
-      stored_map(source.store, {.study = source.study.name, .x = wish.x, .y = wish.y, .map = wish.map});
+      stored_map(source.store,
+                 {.study = source.study.name, .x = wish.x, .y = wish.y, .filters = options.filters, .map = wish.map});
   pictures.add(map.request.value.name + " over " + map.request.x.name + " and " + map.request.y.name,
                [&](const auto& file) { return draw_map(map.request, file); });
 }
 
-void add_charts(const ReportSource& source, Pictures& pictures, std::string& refusal) {
+void add_curves(const ReportSource& source, const StudyChartOptions& options, const std::string& place,
+                Pictures& pictures) {
+  const StoredChart chart = stored_chart(source.store, options);
+  const ChartRequest& request = chart.request;
+  pictures.add(request.y.name + " against " + request.x.name +
+                   (request.family.name.empty() ? "" : ", by " + request.family.name) + place,
+               request);
+}
+
+/// A chart of too many curves as slices: along the axis that is wished, or along each number.
+void add_slices(const ReportSource& source, const ReportOptions& options, const StudyChartOptions& chart,
+                Pictures& pictures) {
+  constexpr std::size_t most_slices = 6;
+  const std::vector<const QuantityColumn*> axes = longest_first(source, options.x);
+  for (std::size_t i = 0; i < std::min(axes.size(), options.x.empty() ? most_slices : 1); ++i) {
+    const QuantityColumn& along = *axes[i];
+    if (along.type == "TEXT" || key_of(along) == options.family || source.definition.uncertain.contains(key_of(along)))
+      continue;
+    const FixedAxes fixed = slice_along(source, options, along);
+    StudyChartOptions slice = chart;
+    if (options.x.empty()) slice.x = along.name;
+    slice.filters = fixed.filters;
+    add_curves(source, slice, fixed.words, pictures);
+  }
+}
+
+void add_charts(const ReportSource& source, const ReportOptions& options, Pictures& pictures, std::string& refusal) {
   for (const std::string& name : source.definition.chart_names())
     where_possible(
         [&] {
-          if (const StudyChart& wish = source.definition.chart(name, source.study.name); !wish.map.empty())
-            return add_map_of_file(source, wish, pictures);
-          const StoredChart chart = stored_chart(source.store, {.study = source.study.name, .chart = name});
-          const ChartRequest& request = chart.request;
-          pictures.add(request.y.name + " against " + request.x.name +
-                           (request.family.name.empty() ? "" : ", by " + request.family.name),
-                       request);
+          const StudyChart& wish = source.definition.chart(name, source.study.name);
+          if (!wish.map.empty()) return add_map_of_file(source, options, wish, pictures);
+          const StudyChartOptions chart{.study = source.study.name,
+                                        .chart = name,
+                                        .x = options.x,
+                                        .family = options.family,
+                                        .filters = options.filters};
+          try {
+            add_curves(source, chart, "", pictures);
+          } catch (const TooManyCurves&) {
+            ReportOptions wished = options;
+            if (wished.x.empty()) wished.x = wish.x;
+            if (wished.family.empty()) wished.family = wish.family;
+            add_slices(source, wished, chart, pictures);
+          }
         },
         &refusal);
 }
 
-void add_shares(const ReportSource& source, Pictures& pictures) {
+void add_shares(const ReportSource& source, const ReportOptions& options, Pictures& pictures) {
   where_possible([&] {
-    const FixedAxes fixed = all_but_longest(source, 1);
-    const StoredChart chart =
-        stored_chart(source.store, {.study = source.study.name, .shares = true, .filters = fixed.filters});
+    const FixedAxes fixed = all_but_longest(source, options, 1);
+    const StoredChart chart = stored_chart(
+        source.store, {.study = source.study.name, .x = options.x, .shares = true, .filters = fixed.filters});
     if (!chart.request.lines) return;
     pictures.add("what of the rolling resistance is lost in the layer and what to friction" + fixed.words,
                  chart.request);
@@ -180,10 +253,11 @@ std::string scatter_table(const ReportSource& source, const ScatteredResistance&
          html::table(columns, rows);
 }
 
-void add_map(const ReportSource& source, const std::string& optimum, Pictures& pictures) {
+void add_map(const ReportSource& source, const ReportOptions& options, Pictures& pictures) {
+  const std::string& optimum = options.optimum;
   constexpr std::size_t fewest = 4;  // values along either axis
   const auto draw = [&] {
-    const FixedAxes fixed = all_but_longest(source, 2);
+    const FixedAxes fixed = all_but_longest(source, options, 2);
     const StoredMap map =
         stored_map(source.store, {.study = source.study.name, .filters = fixed.filters, .optimum = optimum});
     const MapRequest& request = map.request;
@@ -227,7 +301,11 @@ PictureSection together_section(ResultStore& store, const ReportOptions& options
   std::string refusal;
   where_possible(
       [&] {
-        const StoredChart chart = stored_chart(store, {.study = options.study, .more_studies = options.more_studies});
+        const StoredChart chart = stored_chart(store, {.study = options.study,
+                                                       .more_studies = options.more_studies,
+                                                       .x = options.x,
+                                                       .family = options.family,
+                                                       .filters = options.filters});
         pictures.add(chart.request.y.name + " against " + chart.request.x.name + ", all studies", chart.request);
       },
       &refusal);
@@ -281,16 +359,18 @@ PictureSection chart_pictures(const std::vector<std::pair<std::string, ChartRequ
   return {pictures.html(), pictures.count()};
 }
 
-PictureSection chart_section(const ReportSource& source, const ReportOptions& options) {
+PictureSection chart_section(const ReportSource& study, const ReportOptions& options) {
+  const ReportSource source{study.store, study.study, study.definition_text, study.definition,
+                            StudyRows(study.store, study.study.name, options.filters)};
   Pictures pictures;
   std::string refusal;
-  add_charts(source, pictures, refusal);
-  add_shares(source, pictures);
+  add_charts(source, options, pictures, refusal);
+  add_shares(source, options, pictures);
   const ScatteredResistance scattered(source);
   add_scatter(source, scattered, pictures);
   const auto& charts = source.definition.charts;
   const bool mapped = std::any_of(charts.begin(), charts.end(), [](const auto& chart) { return !chart.map.empty(); });
-  if (!mapped || !options.optimum.empty()) add_map(source, options.optimum, pictures);
+  if (!mapped || !options.optimum.empty()) add_map(source, options, pictures);
   return {html::heading("Charts") + pictures.html() + refusal + scatter_table(source, scattered), pictures.count()};
 }
 

@@ -37,11 +37,19 @@ std::string place_of(const ReportSource& source, std::size_t row);
 /// The finite values of an output over the converged rows, rising.
 std::vector<double> sorted_values(const StudyRows& rows, const char* key);
 
+/// HTML, and how many pictures are in it.
+struct PictureSection {
+  std::string html;
+  std::size_t pictures = 0;
+};
+
 /// What the study is about, and three sentences: what was asked, what came out, how sure it is.
 /// @param sentences  in place of those, if there are any
 std::string summary_section(const ReportSource& source, const std::vector<std::string>& sentences = {});
 /// Axes, inputs that all points share, and those at their defaults.
 std::string scene_section(const ReportSource& source);
+/// The listed moduli of the layer under the body, a picture for each master curve.
+PictureSection master_curve_section(const ReportSource& source);
 /// Methods, parts of the model, and warnings.
 std::string model_section(const ReportSource& source);
 std::string result_section(const ReportSource& source, std::size_t most_rows);
@@ -49,12 +57,6 @@ std::string failure_section(const ReportSource& source);
 /// Seconds and estimated errors.
 std::string accuracy_section(const ReportSource& source);
 std::string provenance_section(const ReportSource& source);
-
-/// HTML, and how many pictures are in it.
-struct PictureSection {
-  std::string html;
-  std::size_t pictures = 0;
-};
 
 /// One of the study's scenes as a sketch: the best design of an optimisation.
 PictureSection sketch_section(const ReportSource& source, const std::optional<StoredOptimum>& found);

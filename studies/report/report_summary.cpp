@@ -73,9 +73,10 @@ std::string how_sure(const ReportSource& source) {
     text += "; the estimated relative error of the resistance is " + told(errors[errors.size() / 2]) +
             " in the median and " + told(errors.back()) + " at most";
   if (const std::vector<double> errors = sorted_values(source.rows, "model_error"); !errors.empty())
-    text += "; what the model assumes costs " + told(errors[errors.size() / 2]) + " in the median and " +
-            told(errors.back()) + " at most" +
-            (std::ssize(errors) < answered ? ", where that is known (" + std::to_string(errors.size()) + " points)" : "");
+    text +=
+        "; what the model assumes costs " + told(errors[errors.size() / 2]) + " in the median and " +
+        told(errors.back()) + " at most" +
+        (std::ssize(errors) < answered ? ", where that is known (" + std::to_string(errors.size()) + " points)" : "");
   return text + ".";
 }
 

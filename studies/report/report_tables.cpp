@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/messages/number_list.hpp"
 #include "core/scene/idle_inputs.hpp"
 #include "studies/report/html.hpp"
 #include "studies/report/report_sections.hpp"
@@ -72,6 +73,17 @@ std::string span_of_points(const ReportSource& source, const std::vector<std::si
   });
 }
 
+/// A value; of a long list of numbers how many there are, from where to where: "49 values, 4.5 MPa to 394 MPa".
+std::string told_in_short(const Quantity& quantity, const Cell& cell, std::string_view unit) {
+  constexpr std::size_t few = 6;
+  const auto* const text = std::get_if<std::string>(&cell);
+  const auto list = text ? list_in(*text) : std::nullopt;
+  if (!list || list->size() <= few) return value_in_words(quantity, cell, unit);
+  const auto [least, greatest] = std::minmax_element(list->begin(), list->end());
+  return std::to_string(list->size()) + " values, " + readable(quantity, *least, unit) + " to " +
+         readable(quantity, *greatest, unit);
+}
+
 constexpr std::size_t most_open_rows = 24;  // more are folded
 
 std::vector<ResultColumn> result_columns(const ReportSource& source) {
@@ -114,7 +126,7 @@ std::vector<double> sorted_values(const StudyRows& rows, const char* key) {
 }
 
 std::string shown_cell(const StudyRows& rows, std::size_t row, const QuantityColumn& column) {
-  return value_in_words(column.quantity, rows.cell(row, column), column.quantity.unit_for(body_at(rows, row)));
+  return told_in_short(column.quantity, rows.cell(row, column), column.quantity.unit_for(body_at(rows, row)));
 }
 
 std::string place_of(const ReportSource& source, std::size_t row) {
@@ -143,7 +155,7 @@ std::string scene_section(const ReportSource& source) {
     const Quantity& q = column.quantity;
     const std::string key = in_words(q.key), symbol(symbol_beside_name(q)), meaning(q.meaning);
     const std::set<Cell> values = source.rows.values(column);
-    const auto shown = [&](const Cell& cell) { return value_in_words(q, cell, q.unit_for(body_at(source.rows, 0))); };
+    const auto shown = [&](const Cell& cell) { return told_in_short(q, cell, q.unit_for(body_at(source.rows, 0))); };
     if (values.size() > 1) {
       constexpr std::size_t few = 8;
       const std::string list = values.size() <= few ? joined(values, ", ", shown)

@@ -125,6 +125,51 @@ TEST_CASE("a report holds all that is known of a study in one file that stands b
   CHECK(count_of(page, "url(") == count_of(page, "url(#"));  // parts of the page itself
 }
 
+TEST_CASE("a report draws slices of a study of five axes, or those that were asked for", "[studies][report]") {
+  const TemporaryDirectory scratch;
+  Study study{.name = "five axes",
+              .base = plain_scene(),
+              .axes = {{.key = "load", .values = {1e4, 2e4, 3e4}},
+                       {.key = "speed", .values = {0.01, 0.1, 1, 10}, .logarithmic = true},
+                       {.key = "layer_thickness", .values = {0.01, 0.02, 0.03}},
+                       {.key = "radius", .values = {0.1, 0.2, 0.3}},
+                       {.key = "friction_coefficient", .values = {0.1, 0.2, 0.3, 0.4}}}};
+  const std::string file = stored(scratch, study);
+  const auto report_with = [&](std::vector<std::string> options) {
+    const std::string out = (scratch / "report.html").string();
+    options.insert(options.begin(), {"report", "--db", file, "--out", out});
+    const ProgramRun run = run_rollres(options, closed_form);
+    CHECK(run.err.empty());
+    REQUIRE(run.status == 0);
+    return file_text(out);
+  };
+  const std::string page = report_with({});
+  CHECK(page.size() < 3'000'000);
+  CHECK_THAT(page, !Contains("Not drawn"));
+  for (const char* along : {"load", "speed", "layer thickness", "radius", "friction coefficient"})
+    CHECK_THAT(page, Contains("<figcaption>rolling resistance against " + std::string(along) + ", by "));
+  CHECK_THAT(page, Contains("<figcaption>rolling resistance against speed, by friction coefficient at load = 20 kN/m, "
+                            "layer thickness = 20 mm, radius = 200 mm</figcaption>"));
+
+  const std::string wished = report_with({"--x", "radius", "--family", "load", "--where", "speed=0.1 m/s"});
+  CHECK(count_of(wished, "<figcaption>rolling resistance against ") == 1);
+  CHECK_THAT(wished, Contains("<figcaption>rolling resistance against radius, by load at friction coefficient = 0.3, "
+                              "layer thickness = 20 mm</figcaption>"));
+}
+
+TEST_CASE("a report shows a master curve as a picture and in short", "[studies][report]") {
+  const TemporaryDirectory scratch;
+  Study study = speed_and_load("rubber");
+  study.base.material = MaterialModel::master_curve;
+  study.base.frequencies = {1, 10, 100, 1e3, 1e4, 1e5, 1e6};
+  study.base.storage_moduli = {4.5e6, 5e6, 6e6, 1e7, 3e7, 1e8, 3.94e8};
+  study.base.loss_moduli = {1e5, 2e5, 5e5, 2e6, 1e7, 4e7, 8e7};
+  ResultStore store(stored(scratch, study), Access::read);
+  const std::string page = study_report(store, {}).html;
+  CHECK_THAT(page, Contains("<td>7 values, 4.5 MPa to 394 MPa</td>"));
+  CHECK(count_of(page, "<figcaption>The master curve of the layer, 7 values</figcaption>") == 1);
+}
+
 TEST_CASE("a chart of a report tells the numbers of its points and shows one curve alone", "[studies][report][long]") {
   const TemporaryDirectory scratch;
   ResultStore store(stored(scratch, speed_and_load("speed and load")), Access::read);
@@ -258,6 +303,7 @@ TEST_CASE("the report of an optimisation opens with the best design within its c
       scratch.write("design.json", R"({"study": "design", "scene": {"radius": 0.1, "layer_thickness": 0.01,
     "static_shear_modulus": 1e6, "material": "elastic", "load": 1e4, "speed": 1}, "variables": {
     "load": {"from": 1e4, "to": 4e4, "start": 3e4}, "speed": {"from": 0.1, "to": 0.9, "start": 0.5}},
+    "compute": [{"power": "load * speed"}], "scenes": [{"set": {"radius": 0.1}, "weight": 2}],
     "minimise": "rolling_resistance", "constraints": ["load * speed >= 6000"]})");
   const std::string database = (scratch / "results.db").string();
   REQUIRE(run_rollres({"optimise", file.string(), "--db", database}, closed_form).status == 0);
@@ -269,6 +315,8 @@ TEST_CASE("the report of an optimisation opens with the best design within its c
                  Contains("It is held back by load * speed ≥ 6000, where 1 % more room would lower it by ") &&
                  Contains("To first order no design near it is better.") && Contains("<h2>Best design</h2>") &&
                  Contains("<td>load * speed ≥ 6000</td>") && Contains("<td>reached</td>") &&
+                 Contains("<td>power</td><td>load * speed</td>") &&
+                 Contains("<td>radius = 0.1</td><td class=\"number\">2</td>") &&
                  Contains("The best design, to scale: ") && Contains("1 % more room is worth") &&
                  !Contains("The rolling resistance lies between"));
   CHECK(report.html.find("<h2>Best design</h2>") < report.html.find("<h2>Charts</h2>"));
