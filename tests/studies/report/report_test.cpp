@@ -17,8 +17,8 @@
 #include "tests/studies/program.hpp"
 #include "tests/studies/temporary_directory.hpp"
 
-// Covers report_slices, html, xml_text, chart_overlay, report_look, report_summary, report_tables, report_model, report_optimum,
-// report_pictures and command_report, too.
+// Covers report_slices, html, xml_text, chart_overlay, report_look, report_summary, report_tables, report_model,
+// report_optimum, report_pictures and command_report, too.
 
 using namespace rollres;
 using Catch::Matchers::Contains;
