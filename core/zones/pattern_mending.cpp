@@ -34,10 +34,10 @@ double overload_start(const SpectralProblem& problem, const SpectralState& state
   double start = stick.to - 0.5 * step;
   for (int k = 1; k < 99; ++k)
     if (const double x = stick.to - k * step; overloaded(x)) start = x;
-  if (!state.graded || start < stick.to - step) return true;
+  if (!state.graded || start < stick.to - step) return start;
   for (double distance = step; distance > 1e-7 * step; distance *= 0.8)
     if (const double x = stick.to - distance; overloaded(x)) return x;
-  return true;
+  return start;
 }
 
 bool add_slip(const SpectralProblem& problem, const SpectralState& state, const WrongRun& run, PatternStart& start) {

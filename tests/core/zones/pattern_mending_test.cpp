@@ -90,6 +90,26 @@ TEST_CASE("a stick slips where it is overloaded", "[core][spectral]") {
   }
 }
 
+TEST_CASE("a stick that is overloaded at the leading edge slips from where it is", "[core][spectral]") {
+  const ContactModel model = gridless_cylinder(0.1);
+  const SpectralProblem problem(model, near_spectrum(model), 4e-3);
+  const std::optional<SpectralState> smooth = frictionless_start(problem);
+  REQUIRE(smooth);
+  const std::optional<PatternStart> behind = one_border_start(problem, smooth->edges.contact);
+  REQUIRE(behind);
+  REQUIRE(behind->pattern.slips.back() == 0);
+  const std::optional<SpectralState> state = EdgeSearch(problem, behind->pattern).find(behind->edges, {24, 24}, 1e-9);
+  REQUIRE(state);
+  const std::vector<WrongRun> runs = assess(problem, *state).wrong_runs;
+  REQUIRE(runs.size() == 1);
+  const std::optional<PatternStart> start = mended(problem, *state, runs);
+  REQUIRE(start);
+  check_order(*start);
+  CHECK(start->pattern.slips.back() == runs[0].direction);
+  CHECK(start->edges.sticks.back().to ==
+        Approx(runs[0].from).margin(0.05 * (start->edges.contact.to - start->edges.contact.from)));
+}
+
 TEST_CASE("what is wrong at both edges is mended at once", "[core][spectral]") {
   const Mending mend;
   const std::vector<WrongRun> within{{true, 0, 1, 0.1, 0.2, 0.1}, {true, 0, -1, -0.2, -0.1, 0.1}};
