@@ -174,14 +174,15 @@ std::string model_of(const ContactModel& model, const RollingSolution& solution)
   else
     text += message_text("; ", solution.contact_nodes, " nodes in contact for an error below ", *model.tolerance);
   if (std::isfinite(total_thickness(model)))
-    text += message_text("; layer kept: half-length of the contact over H = ",
-                         half_length(solution) / total_thickness(model), ", a half-space would cost as much");
+    text += message_text("; the finite thickness H is computed, because a half-space would not be faster: half-length "
+                         "of the contact over H = ",
+                         half_length(solution) / total_thickness(model));
   else if (!sphere && model.friction_coefficient == 0 && model.top().material == MaterialModel::zener)
     text += "; closed form of the half-space (Hunter) not used: of a parabola, and without fields";
   if (model.friction_coefficient > 0)
-    text += message_text("; friction and its coupling with the pressure kept: friction takes ",
+    text += message_text("; friction and its coupling with the pressure are computed: friction takes ",
                          std::abs(solution.frictional_loss / (solution.rolling_resistance * model.speed)),
-                         " of R_r, and which drive it can bear is not known without it");
+                         " of R_r, and it limits the drive");
   return text;
 }
 

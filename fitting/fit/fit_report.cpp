@@ -222,12 +222,12 @@ std::string weakest_direction_in_words(const FitProblem& problem, const FitError
   for (const std::size_t j : names) {
     const Variable& variable = problem.parameters[j].variable;
     const double moved = sign * errors.weakest[static_cast<Eigen::Index>(j)] * errors.weakest_deviation;
-    text += (text.empty() ? "" : " with ") + problem.parameters[j].name;
+    text += (text.empty() ? "" : " and ") + problem.parameters[j].name;
     text += variable.scaling == Scaling::logarithmic
                 ? message_text<4>(" x ", std::exp(moved))
                 : message_text<4>(moved < 0 ? " - " : " + ", std::abs(moved) * variable.size);
   }
-  return text + " is within one standard deviation";
+  return "the data fit almost as well with " + text + " (one standard deviation)";
 }
 
 }  // namespace rollres

@@ -30,7 +30,11 @@ OptionWords words_of(const CLI::Option& option) {
 
 CommandOption::CommandOption(CLI::Option& option, std::string value) : option_(&option), value_(std::move(value)) {}
 
-CommandOption* CommandOption::required() { return option_->required(), this; }
+CommandOption* CommandOption::required() {
+  // Only where a database is needed: elsewhere, to give none means that nothing is stored.
+  if (option_->check_lname("db")) option_->envname(database_variable);
+  return option_->required(), this;
+}
 CommandOption* CommandOption::between(int lowest, int highest) {
   const std::string ends = std::to_string(lowest) + ".." + std::to_string(highest);
   return option_->check(CLI::Range(lowest, highest).description(ends)), this;

@@ -22,6 +22,9 @@ namespace rollres {
 
 struct Session;
 
+/// The environment variable with the database of a command that needs one and is given none.
+constexpr const char* database_variable = "ROLLRES_DB";
+
 /// An option or a positional word, as a manual page or a shell's completion tells it.
 struct OptionWords {
   std::vector<std::string> names;  ///< {"-h", "--help"}, {"--set"}; a positional word's own: {"scene"}
@@ -46,6 +49,7 @@ class CommandOption {
   /// @param value the word that the help text shows for the value; empty for a flag
   CommandOption(CLI::Option& option, std::string value);
 
+  /// It must be given; a database may be by the environment, too.
   CommandOption* required();
   /// What the value must be; the help text and the refusal name it. Both ends of `between` are included.
   CommandOption* between(int lowest, int highest);

@@ -105,7 +105,8 @@ bool is_database(const std::filesystem::path& file) {
 
 bool is_json(const std::filesystem::path& file) { return file.extension() == ".json"; }
 
-/// Studies of the database that --db names among these words; its fits, too, where a command takes them.
+/// Studies of the database that --db names among these words, or else the environment; its fits, too, where a command
+/// takes them.
 Completion stored_names(std::span<const std::string> words, bool with_fits) {
   Completion completion;
   std::string file;
@@ -114,6 +115,8 @@ Completion stored_names(std::span<const std::string> words, bool with_fits) {
       file = words[i].substr(5);
     else if (words[i] == "--db" && i + 1 < words.size())
       file = words[i + 1];
+  const char* const usual = std::getenv(database_variable);
+  if (file.empty() && usual != nullptr) file = usual;
   if (file.empty()) return completion;
   ResultStore store(in_home(file), Access::read);
   for (const std::string& study : store.study_names()) completion.add(study);

@@ -163,7 +163,7 @@ struct Compared {
   }
 };
 
-/// Whether an answer says itself that an output may be off: "peak_pressure may be off by tenths".
+/// Whether an answer says itself that an output may be off: "peak_pressure may be off by 10 % or more".
 bool doubted(const RollingSolution& solution, std::string_view key) {
   return std::any_of(solution.warnings.begin(), solution.warnings.end(),
                      [&](const std::string& warning) { return warning.starts_with(std::string(key) + " may be off"); });
