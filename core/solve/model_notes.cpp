@@ -174,9 +174,10 @@ std::string model_of(const ContactModel& model, const RollingSolution& solution)
   else
     text += message_text("; ", solution.contact_nodes, " nodes in contact for an error below ", *model.tolerance);
   if (std::isfinite(total_thickness(model)))
-    text += message_text("; the finite thickness H is computed, because a half-space would not be faster: half-length "
-                         "of the contact over H = ",
-                         half_length(solution) / total_thickness(model));
+    text += message_text(
+        "; the finite thickness H is computed, because a half-space would not be faster: half-length "
+        "of the contact over H = ",
+        half_length(solution) / total_thickness(model));
   else if (!sphere && model.friction_coefficient == 0 && model.top().material == MaterialModel::zener)
     text += "; closed form of the half-space (Hunter) not used: of a parabola, and without fields";
   if (model.friction_coefficient > 0)

@@ -17,8 +17,9 @@ std::string unresolved_peak(std::string_view output, double peak, const std::vec
   };
   const double highest = std::max(rise(sizes.begin()), rise(sizes.rbegin()));
   if (highest < noticeable * peak) return {};
-  return message_text(output, " may be off by 10 % or more: within ", cells, " cells of the contact's edge the traction has a maximum of ",
-                      100 * highest / peak, " % of the peak, and this ", what, " is too coarse for it; take a smaller ", cure);
+  return message_text(output, " may be off by 10 % or more: within ", cells,
+                      " cells of the contact's edge the traction has a maximum of ", 100 * highest / peak,
+                      " % of the peak, and this ", what, " is too coarse for it; take a smaller ", cure);
 }
 
 }  // namespace rollres

@@ -123,6 +123,8 @@ std::string manual_page(const CommandWords& program, const std::string& version,
     text += section(plain(file.title));
     for (const ManualEntry& one : file.entries) text += entry(bold(one.head), plain(one.text));
   }
+  text += section("ENVIRONMENT") +
+          entry(bold(database_variable), "the database of a command that needs " + bold("--db") + " and is given none");
   text += section("EXIT STATUS");
   for (const auto& [status, meaning] :
        {std::pair("0", "answered"), std::pair("1", "a scene has no answer or did not converge; the output says why"),

@@ -6,6 +6,7 @@
 #include "tests/plain_scene.hpp"
 #include "tests/studies/program.hpp"
 #include "tests/studies/temporary_directory.hpp"
+#include "tests/studies/with_variable.hpp"
 
 // Covers command_sweep and command_show, too.
 
@@ -71,6 +72,31 @@ TEST_CASE("sweep says in one line what became of a study, and why points failed"
   CHECK(object["interrupted"] == false);
   CHECK(object["failures"][0]["reason"] == "singular matrix");
   CHECK(object["failures"][0]["points"] == 2);
+}
+
+TEST_CASE("ROLLRES_DB stands in for the database that a command needs and is not given, and for no other",
+          "[studies][commands]") {
+  const Studied files;
+  const std::string usual = (files.folder().path / "usual.db").string();
+  const WithVariable variable("ROLLRES_DB", usual);
+  files.sweep();  // --db goes before the variable
+  CHECK(std::filesystem::exists(files.database()));
+  CHECK(run_rollres({"plan", files.study()}, fails_when_fast).status == 0);  // needs none
+  CHECK_FALSE(std::filesystem::exists(usual));
+  run_rollres({"sweep", files.study()}, fails_when_fast);
+  REQUIRE(std::filesystem::exists(usual));
+  CHECK(ResultStore(usual, Access::read).study_names() == std::vector<std::string>{"speed and load"});
+  const std::vector<std::string> columns{"--format", "csv", "--columns", "speed,rolling_resistance"};
+  const ProgramRun query = run_rollres({"query", columns[0], columns[1], columns[2], columns[3]}, fails_when_fast);
+  CHECK(query.status == 0);
+  CHECK(query.out == files.run("query", columns).out);
+  CHECK_THAT(run_rollres({"complete", "chart", "--study", "sp"}, fails_when_fast).out,
+             Catch::Contains("speed and load"));
+
+  const WithVariable none("ROLLRES_DB", "");
+  const ProgramRun refused = run_rollres({"list"}, fails_when_fast);
+  CHECK(refused.status == 2);
+  CHECK_THAT(refused.err, Catch::Contains("--db is required"));
 }
 
 TEST_CASE("list tells the studies of a database and how far they are", "[studies][commands]") {

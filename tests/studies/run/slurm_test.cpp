@@ -1,5 +1,3 @@
-#include <optional>
-
 #include "db/rows/result_store.hpp"
 #include "studies/program/commands.hpp"
 #include "studies/run/slurm_scripts.hpp"
@@ -9,6 +7,7 @@
 #include "tests/studies/one_node_slurm.hpp"
 #include "tests/studies/program.hpp"
 #include "tests/studies/stored_rows.hpp"
+#include "tests/studies/with_variable.hpp"
 
 using namespace rollres;
 
@@ -25,25 +24,6 @@ const char* const slow = R"({"study": "slow", "scene":
   {"indenter": "sphere", "radius": "2 cm", "layer_thickness": "5 mm", "static_shear_modulus": "3 MPa", "stiffening": 1,
    "creep_time": "0.25 s", "speed": "5 cm/s", "load": 150, "friction_coefficient": 0.2, "spacing": "0.07 mm"},
   "axes": {"speed": {"from": "1 cm/s", "to": "1 m/s", "points": 9, "spacing": "logarithmic"}}})";
-
-/// A variable of the environment for a while.
-struct WithVariable {
-  std::string name;
-  std::optional<std::string> before;
-
-  WithVariable(const std::string& variable, const std::string& value) : name(variable) {
-    if (const char* const old = std::getenv(name.c_str())) before = old;
-    ::setenv(name.c_str(), value.c_str(), 1);
-  }
-  WithVariable(const WithVariable&) = delete;
-  WithVariable& operator=(const WithVariable&) = delete;
-  ~WithVariable() {
-    if (before)
-      ::setenv(name.c_str(), before->c_str(), 1);
-    else
-      ::unsetenv(name.c_str());
-  }
-};
 
 std::size_t answered(const std::filesystem::path& file, const std::string& study) {
   if (!std::filesystem::exists(file)) return 0;

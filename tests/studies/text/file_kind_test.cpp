@@ -4,6 +4,7 @@
 #include "tests/plain_scene.hpp"
 #include "tests/studies/program.hpp"
 #include "tests/studies/temporary_directory.hpp"
+#include "tests/studies/with_variable.hpp"
 
 using namespace rollres;
 using Catch::Matchers::Contains;
@@ -33,5 +34,6 @@ TEST_CASE("words that people try first are understood", "[studies][program]") {
   CHECK(run({"help", "solve"}).out == run({"solve", "--help"}).out);
   CHECK(run({"version"}).out == run({"--version"}).out);
   CHECK(run({"sweep", "a.json", "--bd", "x"}).err == "rollres: --bd: unknown option of sweep; did you mean --db?\n");
+  const WithVariable none("ROLLRES_DB", "");
   CHECK_THAT(run({"sweep", "a.json"}).err, Contains("--db is required"));
 }
