@@ -227,7 +227,7 @@ std::string weakest_direction_in_words(const FitProblem& problem, const FitError
                 ? message_text<4>(" x ", std::exp(moved))
                 : message_text<4>(moved < 0 ? " - " : " + ", std::abs(moved) * variable.size);
   }
-  return "the data fit almost as well with " + text + " (one standard deviation)";
+  return "the fit is almost as good with " + text + " (one standard deviation)";
 }
 
 }  // namespace rollres
