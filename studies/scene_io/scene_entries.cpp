@@ -59,7 +59,8 @@ double number(const SceneEntry& entry, const Quantity& quantity, Body body) {
     return temperature ? kelvin(text) : si_value(text, unit);
   } catch (const std::invalid_argument& error) {
     std::string rule = error.what();
-    if (quantity.grows_with_width()) rule += " for a " + std::string(body.name()) + about_width(text, quantity, body);
+    if (quantity.grows_with_width() && rule.ends_with(unit_in_words(unit)))
+      rule += " for a " + std::string(body.name()) + about_width(text, quantity, body);
     fail(rule);
   }
   return std::nan("");

@@ -133,6 +133,8 @@ TEST_CASE("with a width loads are those of the whole body, and each unit is refu
       refusal_of(whole_roll(), {"load=20 kN/m"}),
       Contains("load = \"20 kN/m\": ") && Contains("for a cylinder with a width: leave width out for that of a metre"));
   CHECK_THAT(refusal_of(rolling_body(), {"width=50 mm"}), Contains("load = \"20 kN/m\": "));
+  // What is wrong with the digits is so for any body.
+  CHECK_THAT(refusal_of(rolling_body(), {"load=5,5 kN/m"}), Catch::Matchers::EndsWith("a decimal point, not a comma"));
   json plain = rolling_body();
   plain["load"] = 20000;  // no unit tells
   CHECK_THAT(refusal_of(plain, {"width=0.05"}),
