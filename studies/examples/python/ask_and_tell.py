@@ -27,7 +27,7 @@ def costs(designs):
 
 designs = random.uniform(lowest, highest, (12, 2))
 told = costs(designs)
-for generation in range(20):
+for generation in range(14):
     others = np.array([designs[random.choice(12, 3, replace=False)] for _ in designs])
     asked = others[:, 0] + 0.7 * (others[:, 1] - others[:, 2])
     asked = np.clip(np.where(random.random(asked.shape) < 0.9, asked, designs), lowest, highest)

@@ -204,7 +204,7 @@ def interrupts():
     long = rollres.Scene(SPHERE, tolerance=1e-5, time_limit=300)
 
     def interrupted(act):
-        before = threading.Timer(1.0, lambda: (sent.append(time.monotonic()), os.kill(os.getpid(), signal.SIGINT)))
+        before = threading.Timer(0.3, lambda: (sent.append(time.monotonic()), os.kill(os.getpid(), signal.SIGINT)))
         sent = []
         before.start()
         refusal(act, KeyboardInterrupt)
@@ -302,20 +302,20 @@ def documentation():
 
 
 def memory():
-    """Flat over many solutions: all take no more than 5 MB beyond the first thousand."""
+    """Flat over many solutions: a thousand take no more than 3 MB beyond the thousand before."""
     base = rollres.Scene(CYLINDER, tolerance=1e-2)
 
     def resident():
         gc.collect()
         with open("/proc/self/statm") as file:
             return int(file.read().split()[1]) * resource.getpagesize()
-    for i in range(int(sys.argv[2]) if len(sys.argv) > 2 else 3000):
+    for i in range(int(sys.argv[2]) if len(sys.argv) > 2 else 2000):
         if i == 1000:
             before = resident()
         rollres.solve(base, speed=0.01 + 1e-6 * i).fields
     grown = (resident() - before) / 1e6
     print(f"grown by {grown:.2f} MB", file=sys.stderr)
-    assert grown < 5
+    assert grown < 3
 
 
 def answers():
