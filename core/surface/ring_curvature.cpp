@@ -17,7 +17,7 @@ constexpr std::size_t count = 4;  // of squares
 constexpr double euler = 0.57721566490153286;
 /// Of the powers of x/R, up to x = R: 2^27/27! is 1e-20.
 constexpr std::size_t series_terms = 14;
-constexpr double nearest_tabled = 1e-7;  // of the radius
+constexpr double nearest_tabled = 1e-5;  // of the radius
 /// Of the finest distance, below which a memory counts as at once in its logarithms.
 constexpr double short_share = 0.7;
 
@@ -82,8 +82,11 @@ void LogarithmicSlope::add(double weight, double length) {
 
 double LogarithmicSlope::operator()(double x) const {
   constexpr double faded = 0.25;
+  // Terms fall as those of e^{2.5 x/R}, or faster: these suffice for 1e-15.
+  const double ratio = x / radius_;
   double sum = 0;
-  for (std::size_t k = powers_; k-- > 0;) sum = series_[k] + sum * x / radius_;
+  for (std::size_t k = std::abs(ratio) < 0.01 ? 7 : std::abs(ratio) < 0.1 ? 11 : powers_; k-- > 0;)
+    sum = series_[k] + sum * ratio;
   for (const Memory& memory : memories_) {
     const double z = x / memory.length, square = faded * z * faded * z, fourth = square * square;
     sum += memory.weight * std::exp(z - fourth * fourth);
@@ -172,15 +175,18 @@ RingCurvature RingCurvature::over(const CreepSpectrum& deep) const {
 }
 
 void RingCurvature::tabulate() {
-  constexpr double width = 0.5;
-  constexpr int degree = 15;
+  // Slopes are singular at pi i of the logarithm: a term of their series is 1/12.6 of the one before.
+  constexpr double width = 1;
+  constexpr int degree = 13;
   std::vector<double> borders{0};
   while (borders.back() > std::log(nearest_tabled)) borders.push_back(borders.back() - width);
   std::reverse(borders.begin(), borders.end());
-  table_ = std::make_shared<const ChebyshevTable<2>>(std::move(borders), degree, [this](double logarithm) {
-    const double x = ring_.radius * std::exp(logarithm);
-    return Eigen::Array2d(sum_of_parts(x), sum_of_parts(-x));
-  });
+  const auto side = [&](double sign) {
+    return Side(borders, degree, [&](double logarithm) {
+      return Side::Values::Constant(sum_of_parts(sign * ring_.radius * std::exp(logarithm)));
+    });
+  };
+  sides_ = std::make_shared<const std::array<Side, 2>>(std::array{side(1), side(-1)});
 }
 
 RingCurvature RingCurvature::remembered(double length) const {
@@ -194,7 +200,9 @@ RingCurvature RingCurvature::remembered(double length) const {
     seen.material.terms[0].compliance += term.compliance * time / apart;
     seen.material.terms.push_back({-term.compliance * term.time / apart, term.time});
   }
-  return {seen, speed_, of_, coating_};
+  RingCurvature curvature(seen, speed_, of_, coating_);
+  curvature.tabulate();
+  return curvature;
 }
 
 complex RingCurvature::operator()(double wavenumber) const {
@@ -215,8 +223,8 @@ double RingCurvature::slope(double x) const {
     }
     return x == 0 ? 0 : ring_.material.instantaneous * ratio * (logarithms * std::log(std::abs(ratio)) + rests);
   }
-  if (const double distance = std::abs(ratio); table_ && distance > nearest_tabled && distance < 1)
-    return (*table_)(std::log(distance))(x > 0 ? 0 : 1);
+  if (const double distance = std::abs(ratio); sides_ && distance > nearest_tabled && distance < 1)
+    return (*sides_)[x > 0 ? 0 : 1](std::log(distance))(0);
   return sum_of_parts(x);
 }
 

@@ -90,7 +90,8 @@ class RingCurvature {
   double step_ = 0, at_rest_ = 0;          // of all jumps together, of all poles
   std::vector<double> squares_, weights_;  // s_j, w_j
   std::vector<Part> parts_;
-  std::shared_ptr<const ChebyshevTable<2>> table_;  // of slopes ahead and behind over ln|x/R|, where there are memories
+  using Side = ChebyshevTable<1>;  // slopes over ln|x/R|
+  std::shared_ptr<const std::array<Side, 2>> sides_;  // ahead and behind, where there are memories
   // Without memory the even part's slope is C (x/R) sum (x/R)^{2i} (logarithms_i ln|x/R| + rests_i).
   std::vector<double> logarithms_, rests_;
 };
