@@ -133,7 +133,8 @@ std::string model_of(const ContactModel& model, const RollingSolution& solution)
   std::string text = surface_in_words(model) + "; " +
                      message_text(included ? "inertia included: ρV²/|G| = " : "inertia left out: ρV²/|G| = ", mach);
   if (!included && model.inertia_automatic && model.tolerance && mach > *model.tolerance)
-    text += ", which may change R_r by about as much (inertia = on takes it along)";
+    text += std::string(", which may change R_r by about as much (inertia = on takes it along") +
+            (model.ring() ? ", on a flat coating)" : ")");
   const bool sphere = model.dimension == 3, spectral = solution.method == Method::spectral;
   const bool gridded = on_grid(solution.method);
   if (model.composite() && !model.period && gridded)

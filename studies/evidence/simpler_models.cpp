@@ -93,7 +93,12 @@ class ModelsBeside {
     if (!included && (scene_.method == Method::spectral || number < unseen_inertia || number >= 1)) return;
     RollingScene other = scene_;
     other.inertia = included ? Inertia::off : Inertia::on;
-    solve(included ? "without inertia" : "with inertia", [&](RollingScene& s) { s = other; });
+    const bool as_ring = ContactModel(other).ring();
+    if (model.ring() && !as_ring) return;  // a difference of both, of which the flat coating's is the larger
+    solve(!included                 ? "with inertia"
+          : as_ring != model.ring() ? "the ring without inertia"
+                                    : "without inertia",
+          [&](RollingScene& s) { s = other; });
   }
 
   void closed_forms() {
