@@ -62,6 +62,15 @@ struct AnsweredScenes {
     }
     return measured(values, scatter);
   }
+  /// All rolling resistances larger by their errors: a material leaves those of all scenes open alike.
+  void add_errors() {
+    for (RollingSolution& solution : solutions) {
+      const double error = solution.rolling_resistance_error;
+      if (!(error > 0)) continue;
+      solution.rolling_resistance_coefficient *= 1 + error / solution.rolling_resistance;
+      solution.rolling_resistance += error;
+    }
+  }
 
  private:
   /// A value that is missing makes the whole missing.
@@ -167,7 +176,12 @@ Design evaluate_design(const DesignProblem& problem, std::span<const double> poi
   for (std::size_t j = 0; j < design.constraints.size() && design.found(); ++j)
     if (!std::isfinite(design.constraints[j].left) || !std::isfinite(design.constraints[j].right))
       design.reason = constraint_name(problem, j) + ": has no finite value";
-  if (!design.found()) design.value = design.second = RollingSolution::absent;
+  if (!design.found()) {
+    design.value = design.second = RollingSolution::absent;
+    return design;
+  }
+  answered.add_errors();
+  design.error = std::abs(answered.value(problem.goal.formula, problem.goal.over, problem.goal.scatter) - design.value);
   return design;
 }
 

@@ -127,6 +127,7 @@ struct Design {
   std::vector<double> point;                      ///< values of the variables [SI]
   double value = RollingSolution::absent;         ///< of the goal [SI]
   double second = RollingSolution::absent;        ///< of the goal of a front [SI]
+  double error = RollingSolution::absent;         ///< of the value, by the errors of all rolling resistances [SI]
   std::vector<ConstraintSides> constraints = {};  ///< as constraint_places, and last the bound
   std::string reason = {};                        ///< why there is no value; empty if there is one
   std::vector<std::string> keys = {};             ///< of the evaluations, one for each scene

@@ -1,5 +1,6 @@
 #include "studies/optimise/design_choices.hpp"
 
+#include <cmath>
 #include <ostream>
 
 #include "studies/optimise/optimise_report.hpp"
@@ -57,6 +58,24 @@ Table table_of(std::span<const DesignProblem> problems, const ChoicesReport& rep
   return table;
 }
 
+/// Choices that may be better than the best one for all that the errors say, a sentence for each.
+std::vector<std::string> undecided(std::span<const DesignProblem> problems, const ChoicesReport& report) {
+  std::vector<std::string> sentences;
+  if (!report.best) return sentences;
+  const Design& best = *report.reports[*report.best].best;
+  for (std::size_t i = 0; i < report.reports.size(); ++i) {
+    const std::optional<Design>& other = report.reports[i].best;
+    if (i == *report.best || !other) continue;
+    const double apart = std::abs(other->value - best.value), open = std::hypot(other->error, best.error);
+    if (!(apart < open)) continue;
+    const auto words = [&](double value) { return readable(value, problems[i].unit(problems[i].goal.formula)); };
+    sentences.push_back(chosen_in_words(problems[i]) + " is worse than the best by " + words(apart) +
+                        ", and the errors of both leave " + words(open) +
+                        " open: which of them is better is not known");
+  }
+  return sentences;
+}
+
 }  // namespace
 
 std::string chosen_in_words(const DesignProblem& problem) {
@@ -68,10 +87,24 @@ ChoicesReport optimise_choices(std::span<const DesignProblem> problems, StoredEv
                                const OptimiseOptions& options) {
   ChoicesReport all;
   const EvaluationCount before = evaluations.count();
+  std::optional<double> best;
   for (const DesignProblem& problem : problems) {
     evaluations.be_of_variant(problem.variant());
-    all.reports.push_back(optimise(problem, evaluations, options));
-    if (all.reports.back().status == DesignStatus::interrupted) break;
+    const auto the_better = [&](std::optional<double> value) {
+      return best && (!value || !problem.goal.better(*value, *best)) ? best : value;
+    };
+    OptimiseOptions here = options;
+    if (options.report)
+      here.report = [&](OptimiseProgress progress) {
+        progress.place = all.reports.size() + 1;
+        progress.all = problems.size();
+        progress.best = the_better(progress.best);
+        options.report(progress);
+      };
+    all.reports.push_back(optimise(problem, evaluations, here));
+    const OptimiseReport& last = all.reports.back();
+    if (last.status == DesignStatus::interrupted) break;
+    if (last.best) best = the_better(last.value());
   }
   all.count = evaluations.count() - before;
   judge(problems, all);
@@ -82,6 +115,7 @@ void print_text(std::span<const DesignProblem> problems, const ChoicesReport& re
   out << problems.front().name << ": " << name_of(report.status) << (report.reason.empty() ? "" : ": " + report.reason)
       << "\n\n";
   write_aligned(out, table_of(problems, report));
+  for (const std::string& sentence : undecided(problems, report)) out << sentence << '\n';
   out << '\n' << in_words(report.count) << " for all choices\n";
   if (!report.best) return;
   out << "\nthe best, " << chosen_in_words(problems[*report.best]) << ":\n";
@@ -94,6 +128,7 @@ Json json_of(std::span<const DesignProblem> problems, const ChoicesReport& repor
   object["status"] = name_of(report.status);
   object["reason"] = report.reason;
   object["chosen"] = report.best ? chosen_json(problems[shown]) : Json(nullptr);
+  object["undecided"] = undecided(problems, report);
   object["choices"] = Json::array();
   for (std::size_t i = 0; i < report.reports.size(); ++i) {
     const OptimiseReport& one = report.reports[i];

@@ -1,6 +1,7 @@
 #include "studies/optimise/optimise.hpp"
 
 #include <algorithm>
+#include <chrono>
 #include <cmath>
 #include <numeric>
 #include <utility>
@@ -36,7 +37,9 @@ class Optimisation {
       : problem_(problem), evaluator_(problem, evaluations, options.jobs, [this, &options] {
           if (!options.report) return;
           const auto best = evaluator_.best();
-          options.report({evaluator_.count() - before_, best ? std::optional(best->value) : std::nullopt});
+          const std::chrono::duration<double> taken = std::chrono::steady_clock::now() - begin_;
+          options.report({evaluator_.count() - before_, best ? std::optional(best->value) : std::nullopt,
+                          evaluation_limit(problem_), taken.count()});
         }) {}
 
   OptimiseReport run() {
@@ -149,6 +152,7 @@ class Optimisation {
   const DesignProblem& problem_;
   DesignEvaluator evaluator_;
   EvaluationCount before_ = evaluator_.count();  // of other problems
+  const std::chrono::steady_clock::time_point begin_ = std::chrono::steady_clock::now();
   std::optional<DesignScale> scale_;
   OptimiseReport report_;
 };

@@ -74,8 +74,11 @@ struct SearchReport {
 };
 
 struct OptimiseProgress {
-  EvaluationCount count;
-  std::optional<double> best;  ///< value of the best feasible design [SI]
+  EvaluationCount count;           ///< of this search
+  std::optional<double> best;      ///< value of the best feasible design, of all choices [SI]
+  std::size_t limit = 0;           ///< evaluations that this search may spend
+  double seconds = 0;              ///< since it began
+  std::size_t place = 1, all = 1;  ///< of its problem among those that are chosen from
 };
 
 struct OptimiseOptions {

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <ostream>
 
+#include "studies/run/progress.hpp"
 #include "studies/text/readable_number.hpp"
 #include "studies/text/table_json.hpp"
 #include "studies/text/table_output.hpp"
@@ -172,8 +173,18 @@ std::string in_words(const EvaluationCount& count) {
 }
 
 std::string in_words(const DesignProblem& problem, const OptimiseProgress& progress) {
-  return in_words(progress.count) +
-         (progress.best ? ", best " + value_in_words(problem, problem.goal.formula, *progress.best) : "");
+  std::string text =
+      progress.all > 1 ? "choice " + std::to_string(progress.place) + " of " + std::to_string(progress.all) + ": " : "";
+  const std::size_t done = progress.count.all();
+  text += std::to_string(done) + " of at most " + std::to_string(std::max(done, progress.limit));
+  if (progress.all == 1) text += " evaluations";
+  if (progress.best) text += ", best " + value_in_words(problem, problem.goal.formula, *progress.best);
+  if (progress.count.solved > 0 && progress.limit > done) {
+    const auto left = static_cast<double>((progress.limit - done) * (progress.all - progress.place + 1) +
+                                          done * (progress.all - progress.place));
+    text += ", at most " + duration_in_words(left * progress.seconds / static_cast<double>(done)) + " left";
+  }
+  return text;
 }
 
 const Formula& limited(const DesignProblem& problem, std::size_t constraint) {

@@ -1,6 +1,10 @@
 #include "studies/optimise/design_choices.hpp"
 
+#include <cmath>
+#include <sstream>
+
 #include "studies/optimise/design_file.hpp"
+#include "studies/optimise/optimise_report.hpp"
 #include "studies/optimise/stored_optimum.hpp"
 #include "tests/catch.hpp"
 #include "tests/studies/design_bowl.hpp"
@@ -9,6 +13,7 @@
 
 using namespace rollres;
 using Catch::Matchers::Contains;
+using Catch::Matchers::EndsWith;
 
 namespace {
 
@@ -63,6 +68,53 @@ TEST_CASE("the best of all choices is found, each with the best values of the ot
   for (std::size_t i = 0; i < 3; ++i)
     CHECK(std::log(report.reports[i].value()) == Approx(best_resistance(moduli_of[i])).margin(1e-5));
   CHECK(report.count.all() == evaluations.count().all());
+}
+
+TEST_CASE("choices that differ by less than their errors leave open are said to be undecided",
+          "[studies][optimise][choices]") {
+  const auto problems = problems_with(R"("variables": {)" + moduli + ", " + any_thickness + "}");
+  const auto sentences = [&](double relative_error) {
+    StoredEvaluations evaluations([=](const RollingScene& scene) {
+      RollingSolution solution = Bowl::solve(scene);
+      solution.rolling_resistance_error = relative_error * solution.rolling_resistance;
+      return solution;
+    });
+    const ChoicesReport report = optimise_choices(problems, evaluations);
+    REQUIRE(report.best == 1);
+    std::ostringstream text;
+    print_text(problems, report, text);
+    CHECK((text.str().find("which of them is better is not known") != std::string::npos) == (relative_error > 0.01));
+    return json_of(problems, report)["undecided"];
+  };
+  CHECK(sentences(1e-6).empty());
+  const auto open = sentences(10);  // of all
+  REQUIRE(open.size() == 2);
+  CHECK_THAT(open[0].get<std::string>(), Contains("variant = soft is worse than the best by "));
+}
+
+TEST_CASE("a search tells its choice, the best of all choices and how long it may take at most",
+          "[studies][optimise][choices]") {
+  const auto problems = problems_with(R"("variables": {)" + moduli + ", " + any_thickness + "}");
+  StoredEvaluations evaluations(Bowl::solve);
+  std::vector<OptimiseProgress> told;
+  OptimiseOptions options;
+  options.jobs = 1;
+  options.report = [&](const OptimiseProgress& progress) { told.push_back(progress); };
+  const ChoicesReport report = optimise_choices(problems, evaluations, options);
+  CHECK(told.front().place == 1);
+  CHECK(told.back().place == 3);
+  double best = INFINITY;
+  for (const OptimiseProgress& progress : told) {
+    CHECK(progress.all == 3);
+    CHECK(progress.limit == evaluation_limit(problems.front()));
+    if (!progress.best) continue;
+    CHECK(*progress.best <= best);  // over the choices, too
+    best = *progress.best;
+  }
+  CHECK(best == report.reports[*report.best].value());
+  const OptimiseProgress shown{{10, 0, 0}, best, 50, 2, 2, 3};
+  CHECK_THAT(in_words(problems.front(), shown),
+             Contains("choice 2 of 3: 10 of at most 50, best ") && EndsWith(", at most 18 s left"));
 }
 
 TEST_CASE("a constraint may rule out the choice that is best without it", "[studies][optimise][choices]") {
