@@ -311,6 +311,25 @@ std::string read_data(FitFile& fit, const std::vector<GivenSet>& sets, const std
   return all_text;
 }
 
+void warn_of_equal_weights(FitFile& fit) {
+  if (fit.deviations_known || fit.relative_weights || !fit.noise.empty()) return;
+  constexpr double far_apart = 20;
+  std::map<std::string, std::pair<double, double>> sizes;  // least and largest of each output
+  for (const MeasuredScene& row : fit.scenes) {
+    const double size = std::abs(row.measured.value);
+    if (!(size > 0)) continue;
+    const auto [place, first] = sizes.try_emplace(row.output, size, size);
+    place->second = {std::min(place->second.first, size), std::max(place->second.second, size)};
+  }
+  for (const auto& [output, size] : sizes)
+    if (size.second > far_apart * size.first)
+      fit.warnings.push_back(
+          output + " from " + short_number(size.first, 3) + " to " + short_number(size.second, 3) + " " +
+          std::string(measured_quantity(output).unit_for(fit.body())) +
+          " without a sigma: all count as if they had the same error in this unit, so that the small ones tell "
+          "nothing; \"weights\": \"relative\" gives all the same relative error, a column \"sigma [%]\" tells it");
+}
+
 void warn_of_repeated_rows(FitFile& fit) {
   std::map<std::string, const MeasuredScene*> seen;
   for (const MeasuredScene& row : fit.scenes) {

@@ -46,4 +46,7 @@ bool smooth_without_spacing(const RollingScene& scene);
 /// Warns of rows that the tables have twice.
 void warn_of_repeated_rows(FitFile& fit);
 
+/// Warns of values of very different sizes that count alike, as neither a sigma nor a noise weighs them.
+void warn_of_equal_weights(FitFile& fit);
+
 }  // namespace rollres

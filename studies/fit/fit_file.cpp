@@ -248,6 +248,7 @@ FitFile read_fit(const std::filesystem::path& file) {
       throw std::invalid_argument(parameter.place + ": the data have a sigma: leave one of both out");
     fit.noise.push_back({parameter.key, parameter.set});
   }
+  warn_of_equal_weights(fit);
   for (const GivenParameter& parameter : given) {
     if (std::find(fit.varying.begin(), fit.varying.end(), parameter.key) != fit.varying.end())
       throw std::invalid_argument(parameter.place + ": is a column of the data too");

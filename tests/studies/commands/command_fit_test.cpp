@@ -186,6 +186,21 @@ TEST_CASE("rollres fit warns of a row given twice and of a negative resistance",
                            Catch::Contains("line 19: rolling_resistance [N/m] = -1: is negative"));
 }
 
+TEST_CASE("rollres fit says by name what weighs values of very different sizes", "[studies][fit]") {
+  FitFiles files;
+  const std::string advice = "\\\"weights\\\": \\\"relative\\\"";  // in JSON
+  const auto warnings = [&](const std::string& largest, bool relative) {
+    files.table = "speed [m/s],rolling_resistance [N/m]\n0.01,60\n0.1,40\n0.3,20\n1,5\n3," + largest + "\n";
+    json fit = half_space_fit();
+    if (relative) fit["weights"] = "relative";
+    return json::parse(files.run(fit, {"--json", "--no-profiles"}).out)["warnings"].dump();
+  };
+  CHECK_THAT(warnings("2", false),
+             Catch::Contains("rolling_resistance from 2 to 60 N/m without a sigma") && Catch::Contains(advice));
+  CHECK_THAT(warnings("2", true), !Catch::Contains("without a sigma"));
+  CHECK_THAT(warnings("4", false), !Catch::Contains("without a sigma"));
+}
+
 TEST_CASE("rollres fit refuses a wrong table in one line with file and line", "[studies][fit]") {
   FitFiles files;
   const auto refused = [&](const std::string& table) {
