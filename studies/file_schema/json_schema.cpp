@@ -92,9 +92,14 @@ void add_variants(Json& properties) {
 Json axes() {
   Json schema = inputs_and_layers(axis, no_list);
   Json together = schema;
-  together["minProperties"] = 2;
+  together["minProperties"] = 1;
   add_variants(schema["properties"]);
-  schema["additionalProperties"] = object_of(zip_keys, {{"zip", together}});
+  const Json numbers = {{"type", "array"}, {"items", {{"type", "number"}}}};
+  const Json columns = {{"type", "object"}, {"additionalProperties", numbers}, {"minProperties", 1}};
+  Json zip = object_of(zip_keys, {{"zip", together}, {"columns", columns}});
+  const Json two_inputs = {{"minProperties", 2}};
+  zip["anyOf"] = {{{"required", {"columns"}}}, {{"properties", {{"zip", two_inputs}}}}};
+  schema["additionalProperties"] = zip;
   schema["minProperties"] = 1;
   return schema;
 }

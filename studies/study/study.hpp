@@ -14,6 +14,10 @@
 ///
 ///     "axes": {"layer": {"zip": {"layer_thickness": ["5 mm", "10 mm"], "static_shear_modulus": ["1 MPa", "2 MPa"]}}}
 ///
+/// Numbers that go with them and are no inputs are columns of the study, as formulas are:
+///
+///     "axes": {"cycle": {"zip": {"load": ["5 kN", "8 kN"]}, "columns": {"share": [0.7, 0.3]}}}
+///
 /// Inputs that go together and need a name are the variants of an axis of their own, which varies slowest; its values
 /// are their names (study_variants.hpp):
 ///
@@ -101,7 +105,8 @@ struct Study {
 /// @throws std::runtime_error if the study file or its scene file cannot be read
 Study read_study(const std::filesystem::path& file);
 
-/// @throws std::invalid_argument if the formula asks for a number of the inside and no scene of the study has `interior`
+/// @throws std::invalid_argument if the formula asks for a number of the inside and no scene of the study has
+/// `interior`
 void refuse_never_computed(const Formula& formula, const Study& study);
 
 /// The points of a study: the combinations of its axes' values that meet all constraints. Their scenes are made when

@@ -58,7 +58,11 @@ std::vector<GivenAxis> zip(const std::string& name, const Json& object, const st
            "a zip needs a name of its own, not that of an input and not \"sample\" nor \"uncertain\"");
   refuse_unknown_keys(object, zip_keys, place);
   const Json& inputs = object["zip"];
-  if (!inputs.is_object() || inputs.size() < 2) refuse(place, "zip", inputs, "must be an object of two or more inputs");
+  const bool alone = !object.contains("columns");
+  if (!inputs.is_object() || inputs.size() < (alone ? 2 : 1))
+    refuse(place, "zip", inputs,
+           alone ? "must be an object of two or more inputs, or of one with columns beside it"
+                 : "must be an object with at least one input");
   std::vector<GivenAxis> axes;
   for (const auto& [key, value] : inputs.items()) {
     axes.push_back(single_axis(key, value, place + ": zip"));

@@ -67,6 +67,7 @@ inline constexpr std::array interval_keys{
 
 inline constexpr std::array zip_keys{
     FileKey{"zip", "inputs that vary together, each with as many values as the others", KeyForm{}, is_needed},
+    FileKey{"columns", "numbers that go with them, such as shares of time: name and list", KeyForm{}},
 };
 
 inline constexpr std::array sample_keys{

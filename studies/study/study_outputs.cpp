@@ -3,12 +3,14 @@
 #include <algorithm>
 #include <array>
 #include <cctype>
+#include <cmath>
 #include <stdexcept>
 #include <type_traits>
 
 #include "core/scene/solution.hpp"
 #include "db/rows/schema.hpp"
 #include "studies/scene_io/dimension.hpp"
+#include "studies/scene_io/scene_entries.hpp"
 #include "studies/scene_io/scene_inputs.hpp"
 #include "studies/study/study_keys.hpp"
 #include "studies/text/units.hpp"
@@ -46,6 +48,65 @@ void add_formula(ComputeWish& wish, const std::string& name, const Json& formula
   });
   wish.columns.push_back(name);
   wish.formulas.emplace_back(name, text);
+}
+
+/// "(load > 4999.99 && load < 5000.01)" for what is zipped, an entry for each input, or empty where all are names.
+std::string stands_at(const std::vector<SceneEntry>& inputs, Body body) {
+  std::string text;
+  for (const SceneEntry& input : inputs) {
+    const InputValue given = input_value(input, body);
+    const double* const value = std::get_if<double>(&given);
+    if (!value || !std::isfinite(*value)) continue;
+    constexpr double apart = 1e-6;  // an output, such as the load, meets its input to less
+    const double size = *value == 0 ? apart : apart * std::abs(*value);
+    text += (text.empty() ? "(" : " && ") + input.key + " > " + shortest(*value - size) + " && " + input.key + " < " +
+            shortest(*value + size);
+  }
+  return text.empty() ? text : text + ")";
+}
+
+/// A column beside a zip as a formula.
+std::string formula_of_column(const std::string& name, const Json& numbers, const Json& inputs, Body body,
+                              const std::string& place) {
+  if (!numbers.is_array() || numbers.empty() ||
+      !std::all_of(numbers.begin(), numbers.end(), [](const Json& one) { return one.is_number(); }))
+    refuse(place, name, numbers, "must be a list of numbers");
+  std::vector<std::string> places;
+  for (std::size_t i = 0; i < numbers.size(); ++i) {
+    std::vector<SceneEntry> entries;
+    for (const auto& [key, values] : inputs.items()) {
+      if (!values.is_array()) refuse(place, name, numbers, "needs lists of values in the zip, not an interval");
+      if (values.size() != numbers.size())
+        refuse(
+            place, name, numbers,
+            "has " + std::to_string(numbers.size()) + " values, but " + key + " has " + std::to_string(values.size()));
+      entries.push_back(held_entry({key, values[i], place}));
+    }
+    places.push_back(stands_at(entries, body));
+    if (places.back().empty() || std::count(places.begin(), places.end(), places.back()) > 1)
+      refuse(place, name, numbers,
+             "the zip's values number " + std::to_string(i + 1) + " are not told from others by numbers");
+  }
+  std::string text = shortest(numbers.back().get<double>());
+  for (std::size_t i = numbers.size() - 1; i-- > 0;)
+    text = places[i] + " ? " + shortest(numbers[i].get<double>()) + " : (" + text + ")";
+  return text;
+}
+
+/// Reads the columns of a study's zips. @param bodies  at least one, the first for the zips' units
+void add_columns_of_zips(ComputeWish& wish, const Json& study, std::span<const Body> bodies, const std::string& place) {
+  const auto axes = study.find("axes");
+  if (axes == study.end() || !axes->is_object()) return;
+  for (const auto& [group, axis] : axes->items()) {
+    if (!axis.is_object() || !axis.contains("columns") || !axis.contains("zip") || !axis["zip"].is_object()) continue;
+    const std::string here = place + ": axes: " + group + ": columns";
+    if (!axis["columns"].is_object() || axis["columns"].empty())
+      refuse(place + ": axes: " + group, "columns", axis["columns"], "must be an object of names and lists of numbers");
+    for (const auto& [name, numbers] : axis["columns"].items()) {
+      refuse_taken_name(name, numbers, wish.formulas, here);
+      add_formula(wish, name, formula_of_column(name, numbers, axis["zip"], bodies.front(), here), bodies, here);
+    }
+  }
 }
 
 /// The list of texts under a key; nothing if there is no such key.
@@ -118,8 +179,12 @@ std::vector<Condition> study_constraints(const Json& study, std::span<const Body
 
 ComputeWish compute_wish(const Json& study, std::span<const Body> bodies, const std::string& place) {
   ComputeWish wish;
+  add_columns_of_zips(wish, study, bodies, place);
   const auto found = study.find("compute");
-  if (found == study.end()) return wish;
+  if (found == study.end()) {
+    wish.columns.clear();
+    return wish;
+  }
   const std::string rule = "must be a list of outputs and of objects {name: formula}, or such an object";
   const Json list = found->is_object() ? Json::array({*found}) : *found;
   if (!list.is_array() || list.empty() || list.front().empty()) refuse(place, "compute", *found, rule);
@@ -140,8 +205,17 @@ ComputeWish compute_wish(const Json& study, std::span<const Body> bodies, const 
 
 ComputeWish accepted_compute_wish(const Json& study) {
   ComputeWish wish;
+  for (const Body body : {Body(Indenter::cylinder), Body(Indenter::cylinder, true), Body(Indenter::sphere)}) try {
+      add_columns_of_zips(wish, study, {&body, 1}, "axes");
+      break;
+    } catch (const std::invalid_argument&) {  // units of another body, or columns of another version
+      wish = {};
+    }
   const auto found = study.find("compute");
-  if (found == study.end()) return wish;
+  if (found == study.end()) {
+    wish.columns.clear();
+    return wish;
+  }
   const Json list = found->is_object() ? Json::array({*found}) : *found;
   for (const Json& item : list)
     if (item.is_string()) {

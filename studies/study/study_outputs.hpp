@@ -16,7 +16,9 @@ namespace rollres {
 /// Keys of the outputs that are numbers: what a chart can show.
 std::vector<std::string_view> number_outputs();
 
-/// What stands under "compute": a list of outputs and of objects {NAME: FORMULA}, or one such object.
+/// What stands under "compute": a list of outputs and of objects {NAME: FORMULA}, or one such object. Before them the
+/// columns of zips, numbers that go with inputs: {"zip": {"load": [5e3, 8e3]}, "columns": {"share": [0.7, 0.3]}} is the
+/// formula of a number `share` that is 0.7 where load is 5e3, else 0.3.
 struct ComputeWish {
   std::vector<std::string> columns;  ///< outputs and names of formulas, in their order
   FormulaDefinitions formulas;       ///< each may use those before it, which stand in it in full

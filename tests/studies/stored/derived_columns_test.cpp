@@ -62,6 +62,40 @@ TEST_CASE("derived numbers are columns of a study: filtered, sorted, grouped, sh
              Contains("x = debora: unknown key; did you mean deborah?"));
 }
 
+TEST_CASE("numbers that go with zipped inputs are columns, of every body, and formulas use them",
+          "[studies][derived]") {
+  const TemporaryDirectory folder;
+  const auto run = [](const std::vector<std::string>& words) { return run_rollres(words, closed_form); };
+  const auto study = [](const std::string& body, const std::string& unit, const std::string& columns) {
+    return R"({"study": "cycle", "scene": {"radius": 0.02, "layer_thickness": 0.005, "static_shear_modulus": 1e6,
+      "stiffening": 1, "creep_time": 0.5, "speed": 1, "load": 3)" +
+           body + R"(}, "axes": {"cycle": {"zip":
+      {"load": ["50 )" +
+           unit + R"(", "0.2 k)" + unit + R"("]}, "columns": )" + columns + R"(}, "radius": [0.01, 0.02]},
+      "compute": {"worth": "2 * load * hours"}})";
+  };
+  const std::string columns = R"({"share": [0.75, 0.25], "hours": [3, 5]})";
+  const std::pair<std::string, std::string> bodies[] = {
+      {"", "N/m"}, {R"(, "width": "1 m")", "N"}, {R"(, "indenter": "sphere")", "N"}};
+  for (const auto& [body, unit] : bodies) {
+    const std::string db = folder / ("a" + std::to_string(body.size()) + ".db");
+    REQUIRE(run({"sweep", folder.write("s.json", study(body, unit, columns)), "--db", db}).status == 0);
+    const ProgramRun rows = run({"query", "--db", db, "study=cycle", "radius=0.02", "--columns", "share,hours,worth",
+                                 "--sort", "hours", "--format", "csv"});
+    CHECK(rows.out == "share,hours,worth\n0.75,3,300\n0.25,5,2000\n");
+    const ProgramRun sums = run({"query", "--db", db, "study=cycle", "--aggregate",
+                                 "sum worth, mean load weighted share", "--by", "radius", "--format", "csv"});
+    CHECK_THAT(sums.out, Contains(",2300,87.5\n"));
+  }
+  const auto refusal = [&](const std::string& wrong) {
+    return message_of([&] { read_study(folder.write("s.json", study("", "N/m", wrong))); });
+  };
+  CHECK_THAT(refusal(R"({"share": [1]})"), Contains("axes: cycle: columns: share = [1]: has 1 values, but load has 2"));
+  CHECK_THAT(refusal(R"({"share": ["1", 2]})"), Contains("must be a list of numbers"));
+  CHECK_THAT(refusal(R"({"radius": [1, 2]})"), Contains("columns: radius = [1,2]: names a column"));
+  CHECK_THAT(refusal("{}"), Contains("must be an object of names and lists of numbers"));
+}
+
 TEST_CASE("a derived number that a row has no value for is absent", "[studies][derived]") {
   const TemporaryDirectory folder;
   const std::string db = folder / "a.db";
