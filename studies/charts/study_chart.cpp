@@ -4,6 +4,7 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "core/scene/scene_input.hpp"
 #include "studies/scatter/scatter_statistics.hpp"
 #include "studies/text/readable_number.hpp"
 #include "studies/text/strict_json.hpp"
@@ -388,16 +389,24 @@ std::string fixed_in_words(const std::vector<Filter>& filters, const StudyRows& 
   constexpr std::array<std::string_view, 8> shown{"radius",   "layer_thickness",      "speed",          "load",
                                                   "approach", "friction_coefficient", "rotation_ratio", "temperature"};
   std::string text;
+  const auto add = [&](const std::string& name, const QuantityColumn& column) {
+    const auto value = rows.common(column);
+    if (value)
+      text +=
+          (text.empty() ? "" : ", ") + name + " = " + value_in_words(column.quantity, *value, unit_in(rows, column));
+    return value.has_value();
+  };
   for (const std::string_view key : shown) {
     const QuantityColumn* const column = find_quantity_column(key);
     const bool filtered = std::any_of(filters.begin(), filters.end(), [&](const Filter& filter) {
       const QuantityColumn* const of = find_quantity_column(filter.column);
       return filter.column == key || (of && of->quantity.key == key);
     });
-    if (!column || filtered) continue;
-    if (const auto value = rows.common(*column))
-      text += (text.empty() ? "" : ", ") + std::string(column->quantity.symbol) + " = " +
-              value_in_words(column->quantity, *value, unit_in(rows, *column));
+    if (column && !filtered) add(std::string(column->quantity.symbol), *column);
+    if (key != "layer_thickness") continue;
+    for (const QuantityColumn* const further : rows.columns())
+      if (const auto layer = layer_key(further->quantity.key); layer && layer->input == key)
+        add("H of " + layer->layer_in_words(), *further);
   }
   return text;
 }

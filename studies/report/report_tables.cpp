@@ -47,9 +47,9 @@ struct ResultColumn {
     if (!mixed) scale = scale_of(source.rows, quantity, AxisScale::automatic, false, "");
   }
   TableColumn head() const {
-    const Quantity& q = column->quantity;
-    std::string words = in_words(q.key);
-    if (!q.symbol.empty()) words += " " + std::string(symbol_beside_name(q));
+    const ChartAxis named = scale ? described(*column, *scale) : described(*column);
+    std::string words = named.name;
+    if (!named.symbol.empty()) words += " " + named.symbol;
     if (scale && !scale->unit.name.empty()) words += " [" + typeset_unit(scale->unit.name) + "]";
     return {words, scale.has_value()};
   }

@@ -222,8 +222,16 @@ ColumnScale scale_of(const StudyRows& rows, const QuantityColumn& column, AxisSc
   return scale_of(values, column, unit_in(rows, column), wish, hint, option);
 }
 
-ChartAxis scaled_axis(const QuantityColumn& column, const ColumnScale& scale) {
+ChartAxis described(const QuantityColumn& column, const ColumnScale& scale) {
   ChartAxis axis = described(column);
+  const bool is_length = column.quantity.unit_2d == "m" && scale.unit.name.ends_with('m');
+  if (const std::size_t area = axis.name.find("area"); is_length && area != std::string::npos)
+    axis = {.name = axis.name.replace(area, 4, "length")};  // what is an area of a whole body
+  return axis;
+}
+
+ChartAxis scaled_axis(const QuantityColumn& column, const ColumnScale& scale) {
+  ChartAxis axis = described(column, scale);
   axis.unit = typeset_unit(scale.unit.name);
   axis.logarithmic = scale.logarithmic;
   return axis;

@@ -98,6 +98,8 @@ struct ColumnScale {
   ScaledUnit unit;
   bool logarithmic = false;
 };
+/// As above, in the words for this unit: a contact's area is, per metre of a cylinder, its length.
+ChartAxis described(const QuantityColumn& column, const ColumnScale& scale);
 
 /// @param hint  the study spaced the column logarithmically
 /// @param option  for the message

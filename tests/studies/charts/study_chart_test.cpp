@@ -43,6 +43,37 @@ TEST_CASE("a chart says what was filtered and what is fixed", "[studies][chart]"
   CHECK(one == "load = 10 kN/m, " + all);
 }
 
+TEST_CASE("a chart names the thickness of every layer that all points have alike", "[studies][chart]") {
+  const TemporaryDirectory scratch;
+  Study study = speed_and_load();
+  BondedLayer further;
+  static_cast<MaterialInputs&>(further) = study.base;
+  further.layer_thickness = 0.03;
+  study.base.lower_layers = {further};
+  further.layer_thickness = 0.002;
+  study.base.coating_layers = {further};
+  ResultStore store = stored(scratch, study);
+  CHECK_THAT(stored_chart(store, {}).request.subtitle,
+             Contains("H of lower layer [0] = 30 mm") && Contains("H of coating [0] = 2 mm"));
+}
+
+TEST_CASE("the contact of a metre of a cylinder has a length, that of a sphere an area", "[studies][chart]") {
+  for (const auto& [indenter, name] :
+       {std::pair(Indenter::cylinder, "contact length"), std::pair(Indenter::sphere, "contact area")}) {
+    const TemporaryDirectory scratch;
+    Study study = speed_and_load();
+    study.base.indenter = indenter;
+    ResultStore store = stored(scratch, study, [](const RollingScene& scene) {
+      RollingSolution solution = closed_form(scene);
+      solution.contact_area = 2e-3;
+      return solution;
+    });
+    StudyChartOptions options;
+    options.y = "contact_area";
+    CHECK(stored_chart(store, options).request.y.name == name);
+  }
+}
+
 TEST_CASE("a stored study is charted along its longest axis with one curve for each value of the other",
           "[studies][chart]") {
   const TemporaryDirectory scratch;
