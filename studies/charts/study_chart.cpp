@@ -234,7 +234,7 @@ void stack_shares(ChartRequest& request, const std::string& place) {
 }
 
 /// The points of the curves: by the values of the families, then by that of the column along them.
-using Curves = std::map<std::vector<Cell>, std::map<Cell, ChartPoint>>;
+using Curves = std::map<std::vector<Cell>, std::map<Cell, ChartPoint>, StudyOrder>;
 
 /// The same where several points at each place become their median and a band.
 Curves scattered_curves(const StudyRows& rows, const Choice& choice, const ChartScales& scales) {
@@ -250,7 +250,7 @@ Curves scattered_curves(const StudyRows& rows, const Choice& choice, const Chart
     else
       here.all_converged = false;
   }
-  Curves curves;
+  Curves curves(StudyOrder(rows, choice.families));
   for (auto& [values, places] : found)
     for (auto& [place, scattered] : places) curves[values][place] = scattered.point();
   return curves;
@@ -258,7 +258,7 @@ Curves scattered_curves(const StudyRows& rows, const Choice& choice, const Chart
 
 Curves curves_of(const ShownStudy& shown, const Choice& choice, const ChartScales& scales, bool shares) {
   const StudyRows& rows = shown.rows;
-  Curves curves;
+  Curves curves(StudyOrder(rows, choice.families));
   if (choice.scatter) curves = scattered_curves(rows, choice, scales);
   for (std::size_t row = 0; row < rows.size() && !choice.scatter; ++row) {
     std::vector<Cell> values;
@@ -325,7 +325,8 @@ ChartAxis family_axis(const QuantityColumn& column, const StudyRows& rows) {
 void tell_families_apart(ChartRequest& request, const Curves& curves, const Choice& choice, const StudyRows& rows) {
   constexpr std::size_t most_colours = 7, most_dashes = 5;
   if (choice.families.size() != 2) return;
-  std::array<std::set<Cell>, 2> values;
+  const std::set<Cell, StudyOrder> none(StudyOrder(rows, choice.families));
+  std::array values{none, none};
   for (const auto& [place, points] : curves)
     for (const std::size_t family : {0, 1}) values[family].insert(place[family]);
   const bool texts = choice.families[1]->type == "TEXT" && choice.families[0]->type != "TEXT";

@@ -169,13 +169,14 @@ class MapDrawing : PictureBuilder {
       const std::vector<ContourLoop> loops =
           loops_of({request_.field.x, request_.field.y, limit.excess}, std::array{0.0});
       const std::string block = add("beyond " + limit.meaning, columns(), loops);
+      const std::string hatch = "fs transparent pattern " + std::to_string(4 + i % 2);  // of either slant
       if (loops.size() == 1)  // a hole in it would be veiled, too
-        for (const char* const veil : {"'white' fs transparent solid 0.5", "'#000000' fs transparent pattern 4"})
+        for (const std::string& veil : {std::string("'white' fs transparent solid 0.5"), "'#000000' " + hatch})
           plot(block + " using 1:2 with filledcurves closed fc rgb " + veil + " noborder notitle");
       plot(block + " using 1:2 with lines lc rgb 'black' lw 4.5 notitle");
       const std::string& look = looks[i % looks.size()];
       plot(block + " using 1:2 with " + look + " notitle");
-      explain("boxes fc rgb '#000000' fs transparent pattern 4 border lc rgb 'black'", "breaks " + limit.meaning);
+      explain("boxes fc rgb '#000000' " + hatch + " border lc rgb 'black'", "breaks " + limit.meaning);
     }
   }
 

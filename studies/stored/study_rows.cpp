@@ -180,6 +180,21 @@ std::optional<Body> body_of_other_units(const StudyRows& rows) {
   return std::nullopt;
 }
 
+StudyOrder::StudyOrder(const StudyRows& rows, std::span<const QuantityColumn* const> columns) {
+  for (const QuantityColumn* const column : columns)
+    if (column->type == "TEXT")
+      for (std::size_t row = 0; row < rows.size(); ++row) places_.try_emplace(rows.cell(row, *column), places_.size());
+}
+
+bool StudyOrder::operator()(const Cell& a, const Cell& b) const {
+  const auto first = places_.find(a), second = places_.find(b);
+  return first == places_.end() || second == places_.end() ? a < b : first->second < second->second;
+}
+
+bool StudyOrder::operator()(const std::vector<Cell>& a, const std::vector<Cell>& b) const {
+  return std::lexicographical_compare(a.begin(), a.end(), b.begin(), b.end(), *this);
+}
+
 std::string value_in_words(const Cell& cell, std::string_view unit) {
   if (const auto* const text = std::get_if<std::string>(&cell)) return *text;
   if (const auto* const count = std::get_if<std::int64_t>(&cell)) return std::to_string(*count);

@@ -82,6 +82,17 @@ std::string_view unit_in(const StudyRows& rows, const QuantityColumn& column);
 
 /// The body of a row.
 Body body_at(const StudyRows& rows, std::size_t row);
+/// The order of values of columns: of names that of the study's points, of numbers that of their sizes.
+class StudyOrder {
+ public:
+  StudyOrder(const StudyRows& rows, std::span<const QuantityColumn* const> columns);
+  bool operator()(const Cell& a, const Cell& b) const;
+  bool operator()(const std::vector<Cell>& a, const std::vector<Cell>& b) const;
+
+ private:
+  std::map<Cell, std::size_t> places_;  // of names
+};
+
 /// The first body whose numbers are per metre where those of the first row are of a whole body, or the other way round.
 std::optional<Body> body_of_other_units(const StudyRows& rows);
 

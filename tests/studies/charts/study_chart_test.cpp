@@ -57,6 +57,20 @@ TEST_CASE("a chart names the thickness of every layer that all points have alike
              Contains("H of lower layer [0] = 30 mm") && Contains("H of coating [0] = 2 mm"));
 }
 
+TEST_CASE("curves of names stand in the order of the study, those of numbers by size", "[studies][chart]") {
+  const TemporaryDirectory scratch;
+  Study study = speed_and_load();
+  study.axes.front().values = {2e4, 1e4};
+  study.axes.insert(study.axes.begin(), Axis{.key = "drive", .texts = {"top_force", "free"}});
+  ResultStore store = stored(scratch, study);
+  const ChartRequest request = stored_chart(store, {}).request;
+  REQUIRE(request.families.size() == 2);
+  for (const ChartFamily& family : request.families)
+    CHECK(family.labels == (family.labels.front() == "top_force" ? std::vector<std::string>{"top_force", "free"}
+                                                                 : std::vector<std::string>{"10 kN/m", "20 kN/m"}));
+  CHECK(request.curves.front().label == "top_force, P = 10 kN/m");
+}
+
 TEST_CASE("the contact of a metre of a cylinder has a length, that of a sphere an area", "[studies][chart]") {
   for (const auto& [indenter, name] :
        {std::pair(Indenter::cylinder, "contact length"), std::pair(Indenter::sphere, "contact area")}) {
@@ -206,8 +220,8 @@ TEST_CASE("a study of methods has one curve for each, by its name", "[studies][c
   ResultStore store = stored(scratch, study);
   const ChartRequest request = stored_chart(store, {}).request;
   REQUIRE(request.curves.size() == 2);
-  CHECK(request.curves[0].label == "active_set");
-  CHECK(request.curves[1].label == "newton");
+  CHECK(request.curves[0].label == "newton");
+  CHECK(request.curves[1].label == "active_set");
 }
 
 TEST_CASE("what varies together with x needs no curves of its own, unless x does not tell it", "[studies][chart]") {

@@ -119,7 +119,7 @@ TEST_CASE("the optimum of an optimisation is drawn into the map of the same inpu
       "scene": {"radius": 0.1, "layer_thickness": 0.01, "static_shear_modulus": 1e6, "material": "elastic",
                 "speed": 0.5, "load": 1.5e4},
       "variables": {"speed": {"from": 0.02, "to": 50}, "load": {"from": 1e4, "to": 3e4, "scale": "linear"}},
-      "maximise": "rolling_resistance", "constraints": ["load <= 19 kN/m"], "stop": {"evaluations": 120}})");
+      "maximise": "rolling_resistance", "constraints": ["load <= 19 kN/m", "speed <= 8 m/s"], "stop": {"evaluations": 120}})");
   run_rollres({"optimise", study.string(), "--db", file}, hill);
   ResultStore store(file, Access::read);
   const auto found = stored_optimum(store, "best");
@@ -140,6 +140,8 @@ TEST_CASE("the optimum of an optimisation is drawn into the map of the same inpu
   CHECK_THAT(run.out, Contains("peak: rolling resistance 200 N/m at speed 1 m/s, load 20 kN/m\n") &&
                           Contains("best: greatest rolling resistance: at speed"));
   CHECK_THAT(file_text(scratch / "map.svg"), Contains("designs looked at"));
+  // What breaks either constraint has a hatch of its own.
+  CHECK_THAT(file_text(scratch / "map.gp"), Contains("pattern 4") && Contains("pattern 5"));
 }
 
 TEST_CASE("a map that cannot be drawn is refused with what would help", "[studies][chart]") {
