@@ -55,16 +55,6 @@ Json elasticities_json(const DesignProblem& problem, const Elasticities& elastic
   return object;
 }
 
-/// An axis for values of a formula, and the factor of its unit.
-struct FormulaAxis {
-  ChartAxis axis;
-  double factor;
-};
-FormulaAxis axis_of(const DesignProblem& problem, const Formula& formula, double size) {
-  const ScaledUnit unit = scaled_unit(problem.unit(formula), size);
-  return {{.name = formula_in_words(formula.text()), .unit = typeset_unit(unit.name)}, unit.factor};
-}
-
 std::string goal_in_words(const DesignProblem& problem, const Goal& goal) {
   return (goal.maximise ? "maximise " : "minimise ") + goal.formula.text() + measure_in_words(problem, goal);
 }
@@ -166,6 +156,11 @@ void print_nearest(const DesignProblem& problem, const Design& design, std::ostr
 }
 
 }  // namespace
+
+FormulaAxis formula_axis(const DesignProblem& problem, const Formula& formula, double size) {
+  const ScaledUnit unit = scaled_unit(problem.unit(formula), size);
+  return {{.name = formula_in_words(formula.text()), .unit = typeset_unit(unit.name)}, unit.factor};
+}
 
 std::string in_words(const EvaluationCount& count) {
   return std::to_string(count.all()) + " evaluations (" + std::to_string(count.solved) + " solved, " +
@@ -343,7 +338,7 @@ Json json_of(std::span<const DesignProblem> problems, const ParetoReport& front)
 }
 
 ChartRequest course_chart(const DesignProblem& problem, const OptimiseReport& report) {
-  const auto [axis, factor] = axis_of(problem, problem.goal.formula, std::abs(report.value()));
+  const auto [axis, factor] = formula_axis(problem, problem.goal.formula, std::abs(report.value()));
   ChartRequest request{.title = problem.name,
                        .subtitle = "the best design seen so far",
                        .x = {.name = "designs with an answer"},
@@ -369,8 +364,8 @@ ChartRequest front_chart(std::span<const DesignProblem> problems, const ParetoRe
       size = std::max(size, std::abs(point.report.best->value));
       second_size = std::max(second_size, std::abs(point.report.best->second));
     }
-  const auto [x, x_factor] = axis_of(problem, problem.pareto->goal.formula, second_size);
-  const auto [y, y_factor] = axis_of(problem, problem.goal.formula, size);
+  const auto [x, x_factor] = formula_axis(problem, problem.pareto->goal.formula, second_size);
+  const auto [y, y_factor] = formula_axis(problem, problem.goal.formula, size);
   ChartRequest request{
       .title = problem.name, .subtitle = "the designs of the front", .x = x, .y = y, .curves = {}, .mark_peaks = false};
   request.x.margin = 0.03;

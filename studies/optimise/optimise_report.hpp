@@ -8,6 +8,13 @@
 
 namespace rollres {
 
+/// An axis for values of a formula up to a size [SI], and what these are divided by.
+struct FormulaAxis {
+  ChartAxis axis;
+  double factor;
+};
+FormulaAxis formula_axis(const DesignProblem& problem, const Formula& formula, double size);
+
 /// "31 evaluations (30 solved, 1 recalled, 0 failed)".
 std::string in_words(const EvaluationCount& count);
 /// "choice 2 of 3: 31 of at most 200, best 15.98 N/m, at most 0:40 left". A search may end sooner.

@@ -53,7 +53,7 @@ std::optional<StoredOptimum> stored_optimum(ResultStore& store, const std::strin
   if (!is_optimisation(text, place)) return std::nullopt;
 
   const std::vector<DesignProblem> problems = parse_design_problems(text, place);
-  StoredOptimum found{problems.front(), {}, {}, {}};
+  StoredOptimum found{.problem = problems.front(), .designs = {}, .choices = problems, .best = {}};
   const StudyRows rows(store, study);
   std::set<std::vector<double>> points;
   for (std::size_t row = 0; row < rows.size(); ++row) {
@@ -82,6 +82,7 @@ std::optional<StoredOptimum> stored_optimum(ResultStore& store, const std::strin
         found.problem = problem;
       }
       found.designs.push_back(std::move(design));
+      found.choice_of.push_back(static_cast<std::size_t>(&problem - problems.data()));
     }
   if (!found.problem.pareto && found.best) found.search = searched_again(found, recall);
   return found;

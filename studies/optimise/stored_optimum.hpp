@@ -9,9 +9,11 @@
 namespace rollres {
 
 struct StoredOptimum {
-  DesignProblem problem;        ///< of several, from which a choice is made, that of the best design
-  std::vector<Design> designs;  ///< that have a value, feasible or not
-  std::optional<Design> best;   ///< the best feasible one
+  DesignProblem problem;                    ///< of several, from which a choice is made, that of the best design
+  std::vector<Design> designs;              ///< that have a value, feasible or not
+  std::vector<DesignProblem> choices = {};  ///< all problems, from which a choice is made
+  std::vector<std::size_t> choice_of = {};  ///< the place of each design's problem among them
+  std::optional<Design> best;               ///< the best feasible one
   /// The search for it, gone through again; empty where it asked for what is not stored (it had other options), and
   /// for a front.
   std::optional<OptimiseReport> search = {};

@@ -99,26 +99,28 @@ std::string task_tables(const ReportSource& source) {
   return section;
 }
 
+/// An axis for a variable, and what its values are divided by.
+std::pair<ChartAxis, double> variable_axis(const DesignProblem& problem, std::size_t place) {
+  const Variable& variable = problem.variables[place];
+  const auto& unit = problem.unit(variable.quantity);
+  const bool logarithmic = variable.scaling == Scaling::logarithmic;
+  const ScaledUnit scaled = logarithmic ? scaled_unit_logarithmic(unit, variable.lowest, variable.highest)
+                                        : scaled_unit(unit, variable.highest);
+  return {{.name = in_words(variable.quantity.key),
+           .symbol = std::string(symbol_beside_name(variable.quantity)),
+           .unit = typeset_unit(scaled.name),
+           .logarithmic = logarithmic,
+           .margin = 0.03},
+          scaled.factor};
+}
+
 /// All designs over the first two variables: those that keep the constraints, those that do not, the way of the search
 /// from one best design to the next, and the last of them.
 std::optional<ChartRequest> design_chart(const ReportSource& source, const StoredOptimum& found) {
   const DesignProblem& problem = found.problem;
   if (problem.variables.size() < 2) return std::nullopt;
-  const auto axis_of = [&](std::size_t i) {
-    const Variable& variable = problem.variables[i];
-    const auto& unit = problem.unit(variable.quantity);
-    const bool logarithmic = variable.scaling == Scaling::logarithmic;
-    const ScaledUnit scaled = logarithmic ? scaled_unit_logarithmic(unit, variable.lowest, variable.highest)
-                                          : scaled_unit(unit, variable.highest);
-    return std::pair(ChartAxis{.name = in_words(variable.quantity.key),
-                               .symbol = std::string(symbol_beside_name(variable.quantity)),
-                               .unit = typeset_unit(scaled.name),
-                               .logarithmic = logarithmic,
-                               .margin = 0.03},
-                     scaled.factor);
-  };
-  const auto [x, x_factor] = axis_of(0);
-  const auto [y, y_factor] = axis_of(1);
+  const auto [x, x_factor] = variable_axis(problem, 0);
+  const auto [y, y_factor] = variable_axis(problem, 1);
   ChartRequest request{.title = title_of_study(source.definition, source.study.name),
                        .subtitle = "designs looked at",
                        .x = x,
@@ -137,6 +139,65 @@ std::optional<ChartRequest> design_chart(const ReportSource& source, const Store
   if (found.best) request.curves[3].points.push_back(place(*found.best));
   for (const std::size_t points : {0, 1, 3}) request.curves[points].line = false;
   request.curves[2].marks = false;
+  std::erase_if(request.curves, [](const ChartCurve& curve) { return curve.points.empty(); });
+  return request;
+}
+
+/// The values that a problem takes from the lists of the file: "filled rubber, 20 mm".
+std::string choice_in_words(const DesignProblem& problem) {
+  return joined(problem.chosen, ", ", [&](const ChosenValue& chosen) { return problem.in_words(chosen); });
+}
+
+/// The best design of each choice, in the order of the file.
+std::string choices_table(const StoredOptimum& found) {
+  if (found.choices.size() < 2) return {};
+  std::vector<TableRow> rows;
+  for (std::size_t choice = 0; choice < found.choices.size(); ++choice) {
+    const DesignProblem& problem = found.choices[choice];
+    const Design* best = nullptr;
+    int answered = 0;
+    for (std::size_t i = 0; i < found.designs.size(); ++i) {
+      const Design& design = found.designs[i];
+      if (found.choice_of[i] != choice) continue;
+      ++answered;
+      if (design.feasible() && (!best || problem.goal.better(design.value, best->value))) best = &design;
+    }
+    std::vector<std::string> cells;
+    for (const ChosenValue& chosen : problem.chosen) cells.push_back(problem.in_words(chosen));
+    cells.push_back(best ? with_unit(problem, problem.goal.formula, best->value) : "none within the constraints");
+    for (std::size_t i = 0; i < problem.variables.size(); ++i) {
+      const Quantity& quantity = problem.variables[i].quantity;
+      cells.push_back(best ? readable(quantity, best->point[i], problem.unit(quantity)) : "");
+    }
+    cells.push_back(std::to_string(answered));
+    rows.push_back({cells});
+  }
+  std::vector<html::TableColumn> columns;
+  for (const ChosenValue& chosen : found.problem.chosen) columns.push_back({in_words(chosen.key)});
+  columns.push_back({"best " + goal_in_words(found.problem), true});
+  for (const Variable& variable : found.problem.variables) columns.push_back({in_words(variable.quantity.key), true});
+  columns.push_back({"designs", true});
+  return html::table(columns, rows);
+}
+
+/// The goal of the designs that meet the constraints over one variable, of each choice.
+ChartRequest goal_chart(const ReportSource& source, const StoredOptimum& found, std::size_t variable) {
+  const auto [x, x_factor] = variable_axis(found.problem, variable);
+  double size = 0;
+  for (const Design& design : found.designs)
+    if (design.feasible()) size = std::max(size, std::abs(design.value));
+  const auto [y, y_factor] = formula_axis(found.problem, found.problem.goal.formula, size);
+  ChartRequest request{.title = title_of_study(source.definition, source.study.name),
+                       .subtitle = "designs that meet the constraints",
+                       .x = x,
+                       .y = y,
+                       .curves = {},
+                       .lines = false,
+                       .mark_peaks = false};
+  for (const DesignProblem& choice : found.choices) request.curves.push_back({choice_in_words(choice), {}});
+  for (std::size_t i = 0; i < found.designs.size(); ++i)
+    if (const Design& design = found.designs[i]; design.feasible())
+      request.curves[found.choice_of[i]].points.push_back({design.point[variable] / x_factor, design.value / y_factor});
   std::erase_if(request.curves, [](const ChartCurve& curve) { return curve.points.empty(); });
   return request;
 }
@@ -164,11 +225,16 @@ std::vector<std::string> optimum_sentences(const StoredOptimum& found) {
 PictureSection optimum_section(const ReportSource& source, const StoredOptimum& found) {
   std::string section = html::heading("Best design");
   if (!found.best) return {section + html::paragraph("No design meets the constraints."), 0};
-  section += design_table(found) + task_tables(source);
+  section += design_table(found) + choices_table(found) + task_tables(source);
   if (!found.search)
     section += html::paragraph("What the constraints cost: rollres optimise tells it, with the file at the end.");
   std::vector<std::pair<std::string, ChartRequest>> charts;
   if (auto designs = design_chart(source, found)) charts.emplace_back("The designs that were looked at", *designs);
+  constexpr std::size_t most_charts = 6, most_choices = 12;
+  if (!found.problem.pareto && found.choices.size() <= most_choices)
+    for (std::size_t i = 0; i < std::min(found.problem.variables.size(), most_charts); ++i)
+      charts.emplace_back("What the designs cost against " + in_words(found.problem.variables[i].quantity.key),
+                          goal_chart(source, found, i));
   if (found.search && found.search->designs.size() > 1) {
     charts.emplace_back("The best design seen so far, in the course of the search",
                         course_chart(found.problem, *found.search));

@@ -12,6 +12,7 @@
 #include "studies/report/html.hpp"
 #include "studies/report/report_look.hpp"
 #include "studies/run/sweep.hpp"
+#include "studies/text/readable_number.hpp"
 #include "tests/catch.hpp"
 #include "tests/plain_scene.hpp"
 #include "tests/studies/program.hpp"
@@ -322,7 +323,8 @@ TEST_CASE("the report of an optimisation opens with the best design within its c
   CHECK(report.html.find("<h2>Best design</h2>") < report.html.find("<h2>Charts</h2>"));
 }
 
-TEST_CASE("the report of a choice names the variant of its best design", "[studies][report]") {
+TEST_CASE("the report of a choice names the variant of its best design, and has the best of each",
+          "[studies][report]") {
   const TemporaryDirectory scratch;
   const auto file =
       scratch.write("choice.json", R"({"study": "choice", "scene": {"radius": 0.1, "layer_thickness": 0.01,
@@ -335,6 +337,12 @@ TEST_CASE("the report of a choice names the variant of its best design", "[studi
   ResultStore store(database, Access::read);
   const std::string report = study_report(store, {}).html;
   CHECK_THAT(report, Contains("The best design, to scale: variant = light") && !Contains("variant = none"));
+  // At the largest distance from the closed form's peak at 1 m/s each choice is best.
+  for (const double load : {4e4, 1e4}) {
+    const double best = closed_form(plain_scene(0.1, load)).rolling_resistance;
+    CHECK_THAT(report, Contains(readable(best, "N/m") + "</td><td class=\"number\">" + readable(0.1, "m/s")));
+  }
+  CHECK_THAT(report, Contains("What the designs cost against speed"));
 }
 
 TEST_CASE("rollres report refuses what it cannot report", "[studies][report]") {
