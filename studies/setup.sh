@@ -22,6 +22,7 @@ libsqlite3-dev: sqlite3.h
 libsqlitecpp-dev: SQLiteCpp/SQLiteCpp.h
 libtbb-dev: oneapi/tbb
 libudunits2-dev: udunits2.h
+libxlsxwriter-dev: xlsxwriter.h
 nlohmann-json3-dev: nlohmann/json.hpp
 zlib1g-dev: zlib.h
 gnuplot-nox: draws charts

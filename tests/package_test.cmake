@@ -33,7 +33,7 @@ function(check name)
     endif()
   endforeach()
 endfunction()
-check(rollres depends libc6 libfftw3-double3 libnlopt0 libsqlite3-0 libtbb12 libudunits2-0
+check(rollres depends libc6 libfftw3-double3 libnlopt0 libsqlite3-0 libtbb12 libudunits2-0 libxlsxwriter4
       holds bin/rollres share/rollres/examples/paper_cylinder.json share/man/man1/rollres.1.gz include/rollres/core/scene.hpp)
 if(PYTHON)
   check(python3-rollres depends libc6 libfftw3-double3 python3 python3-numpy

@@ -1,5 +1,7 @@
 #include <algorithm>
+#include <array>
 #include <ostream>
+#include <sstream>
 #include <stdexcept>
 
 #include "db/merge/gathered.hpp"
@@ -9,8 +11,10 @@
 #include "studies/stored/derived_columns.hpp"
 #include "studies/stored/shown_table.hpp"
 #include "studies/stored/study_rows.hpp"
+#include "studies/stored/workbook.hpp"
 #include "studies/stored_fits/fit_question.hpp"
 #include "studies/study/study_definition.hpp"
+#include "studies/text/files.hpp"
 #include "studies/text/table_output.hpp"
 #include "studies/text/words.hpp"
 
@@ -20,7 +24,7 @@ namespace {
 
 struct QueryArguments {
   std::vector<std::string> databases;
-  std::string columns, sort, aggregates, by, format = "table";
+  std::string columns, sort, aggregates, by, format = "table", out;
   std::optional<std::string> sql;
   std::vector<std::string> filters;
   std::optional<std::int64_t> limit;
@@ -33,11 +37,17 @@ std::vector<Filter> filters_of(const QueryArguments& arguments) {
   return filters;
 }
 
+constexpr std::array<std::string_view, 6> query_formats{"table", "csv", "json", "jsonl", "markdown", "xlsx"};
+constexpr const char* workbook_format = "xlsx";
+
 bool is_for_people(const QueryArguments& arguments) {
-  return arguments.format == "table" || arguments.format == "markdown";
+  return arguments.format == "table" || arguments.format == "markdown" || arguments.format == workbook_format;
 }
 
-ShownUnits units_of(const QueryArguments& arguments) { return arguments.si ? ShownUnits::si : ShownUnits::scaled; }
+ShownUnits units_of(const QueryArguments& arguments) {
+  if (arguments.si) return ShownUnits::si;
+  return arguments.format == workbook_format ? ShownUnits::scaled_exactly : ShownUnits::scaled;
+}
 
 /// What the only study that the question names computes; the usual outputs otherwise.
 std::vector<std::string> outputs_for(const Database& database, const Query& question) {
@@ -143,6 +153,8 @@ void query(const QueryArguments& arguments, Session& session) {
     throw std::invalid_argument("--sql: stands alone; write filters, columns, order and limit in SQL");
   if (grouped && !arguments.columns.empty())
     throw std::invalid_argument("--columns = " + arguments.columns + ": has no place beside --aggregate and --by");
+  if (arguments.format == workbook_format && arguments.out.empty())
+    throw std::invalid_argument("--format = xlsx: needs --out FILE, a workbook is not printed");
   const StopSignal signal;
   const GatheredDatabases gathered(arguments.databases);
   for (const auto& [file, name, here] : gathered.renamed())
@@ -153,7 +165,16 @@ void query(const QueryArguments& arguments, Session& session) {
                       : arguments.fits ? fits(arguments, database, session)
                       : grouped        ? groups(arguments, database)
                                        : rows(arguments, database, session);
-  write_table(session.out, table, arguments.format);
+  if (arguments.format == workbook_format) {
+    write_workbook(arguments.out, table);
+    session.out << arguments.out << ": " << table.rows.size() << " rows\n";
+  } else if (arguments.out.empty()) {
+    write_table(session.out, table, arguments.format);
+  } else {
+    std::ostringstream text;
+    write_table(text, table, arguments.format);
+    write_file(arguments.out, text.str());
+  }
   if (table.rows.empty()) {
     session.err << joined(arguments.databases) << ": nothing matches\n";
     session.status = ExitStatus::no_answer;
@@ -189,8 +210,12 @@ void add_query(Command& program, Session& session) {
                       "one SQL statement that reads, in place of all the above; tables and views: result, converged, "
                       "resistance, evaluation, study, study_point, fields, provenance, fit, fit_parameter, "
                       "fit_correlation, fit_data, fit_input, fit_profile, fit_curve, fit_failure");
-  command->add_option("--format FORMAT", arguments.format, "table, csv, json, jsonl (one object a line) or markdown")
-      ->one_of(table_formats);
+  command
+      ->add_option("--format FORMAT", arguments.format,
+                   "table, csv, json, jsonl (one object a line), markdown, or xlsx (a workbook for Excel and others: "
+                   "all digits, units in the headings)")
+      ->one_of(query_formats);
+  command->add_option("--out FILE", arguments.out, "write into this file, not to the terminal; xlsx needs it");
   command->add_flag(
       "--si", arguments.si,
       "SI numbers in a table, too, where there are units with a prefix and degrees Celsius; csv, json and "

@@ -166,7 +166,7 @@ Table shown_table(Table table, const ShownColumns& columns, ShownUnits units) {
     table.columns[i] += unit_in_brackets(typeset_unit(scaled.name));
     for (auto& row : table.rows)
       if (auto* const number = std::get_if<double>(&row[i]); number && std::isfinite(*number))
-        *number = to_digits(scaled.number(*number));
+        *number = units == ShownUnits::scaled ? to_digits(scaled.number(*number)) : scaled.number(*number);
   }
   return table;
 }

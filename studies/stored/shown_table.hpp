@@ -13,7 +13,7 @@
 
 namespace rollres {
 
-enum class ShownUnits { scaled, si };
+enum class ShownUnits { scaled, scaled_exactly, si };
 
 /// What stands in the columns of a table.
 struct ShownColumns {
@@ -23,7 +23,7 @@ struct ShownColumns {
 };
 
 /// The table with its units. Where a column's unit differs from row to row each cell has its own.
-/// @param units  si: the numbers as they are
+/// @param units  scaled_exactly: with all digits; si: the numbers as they are
 Table shown_table(Table table, const ShownColumns& columns, ShownUnits units);
 
 /// The body that a cell of `indenter` names, with what stands in that of `width`.
