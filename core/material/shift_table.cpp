@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "core/messages/require.hpp"
+#include "core/scene/shift_reach.hpp"
 
 namespace rollres {
 
@@ -39,19 +40,18 @@ double slope_at(const std::vector<Row>& rows, std::size_t i) {
 
 }  // namespace
 
-bool within_table(const std::vector<double>& temperatures, double temperature) {
-  const auto [lowest, highest] = std::minmax_element(temperatures.begin(), temperatures.end());
-  constexpr double rounding = 1e-12;  // degrees Celsius are turned into kelvins
-  return temperature >= *lowest * (1 - rounding) && temperature <= *highest * (1 + rounding);
-}
-
 double table_factor(const std::vector<double>& temperatures, const std::vector<double>& factors, double temperature) {
-  require(temperatures.size() > 1 && within_table(temperatures, temperature), "temperature", temperature,
+  require(temperatures.size() > 1, "temperature", temperature, "needs a table of two shifts or more");
+  const auto [lowest, highest] = reach_of_shifts(temperatures);
+  require(temperature >= lowest && temperature <= highest, "temperature", temperature,
           "must be within the table of shifts");
   std::vector<Row> rows;
   for (std::size_t i = 0; i < temperatures.size(); ++i) rows.emplace_back(temperatures[i], std::log(factors[i]));
   std::sort(rows.begin(), rows.end());
   const double here = std::clamp(temperature, rows.front().first, rows.back().first);
+  if (here != temperature)
+    return std::exp((here == rows.front().first ? rows.front().second : rows.back().second) +
+                    slope_at(rows, here == rows.front().first ? 0 : rows.size() - 1) * (temperature - here));
   const auto above = std::lower_bound(rows.begin() + 1, rows.end() - 1, here,
                                       [](const Row& row, double value) { return row.first < value; });
   const auto i = static_cast<std::size_t>(above - rows.begin()) - 1;

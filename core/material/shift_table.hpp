@@ -10,14 +10,11 @@
 /// which rises and falls only where the table does. The slope at a row is that of the hyperbola through it and the rows
 /// beside it, s01 s12/s02 with the three secants; at an end s01 s02/s12, three times the secant at most, and of two
 /// rows those of a line over 1/T. So the rows of WLF, VFT and Arrhenius, which are hyperbolas, give these laws
-/// everywhere.
+/// everywhere. As far as a table reaches beyond its ends (core/scene/shift_reach.hpp) it goes on along the slope there.
 
 #include <vector>
 
 namespace rollres {
-
-/// Whether a temperature lies within those of a table. @param temperatures  one at least
-bool within_table(const std::vector<double>& temperatures, double temperature);
 
 /// @param temperatures  [K], > 0, two at least, different, in any order   @param factors  [1], > 0, as many
 /// @throws std::invalid_argument if the temperature lies beyond the table

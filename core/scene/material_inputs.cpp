@@ -4,6 +4,8 @@
 #include <sstream>
 #include <type_traits>
 
+#include "core/scene/shift_reach.hpp"
+
 namespace rollres {
 
 namespace {
@@ -99,14 +101,14 @@ void check_shift_table(const MaterialInputs& layer, Lines& lines) {
   std::sort(sorted.begin(), sorted.end());
   if (const auto twice = std::adjacent_find(sorted.begin(), sorted.end()); twice != sorted.end())
     lines.push_back(broken("shift_temperatures", *twice, "given twice"));
-  constexpr double rounding = 1e-12;  // as within_table has it
+  const auto [lowest, highest] = reach_of_shifts(temperatures);
   for (const auto& [key, value] :
        {std::pair("temperature", layer.temperature), std::pair("reference_temperature", layer.reference_temperature)}) {
     if (!layer.temperature || !value) continue;
-    if (*value >= sorted.front() * (1 - rounding) && *value <= sorted.back() * (1 + rounding)) continue;
+    if (*value >= lowest && *value <= highest) continue;
     std::ostringstream rule;
     rule << "must be within shift_temperatures, " << sorted.front() << " to " << sorted.back()
-         << " K: the table is not continued beyond its ends";
+         << " K: beyond its ends the table goes on by half a step and 1 K at most";
     lines.push_back(broken(key, *value, rule.str()));
   }
 }

@@ -12,6 +12,7 @@
 #include "core/material/passivity.hpp"
 #include "core/numerics/dense_algebra.hpp"
 #include "fitting/material/even_series.hpp"
+#include "fitting/material/free_shifts.hpp"
 #include "fitting/material/material_problem.hpp"
 #include "fitting/material/series_fit.hpp"
 
@@ -26,23 +27,6 @@ constexpr Quantity order{
 
 FractionalZener zener_at(const FitPoint& point, bool fractional) {
   return {point[0], point[1], point[2], fractional ? point[3] : 1};
-}
-
-/// The shift with constants to start from, whose pole lies below the coldest data.
-TemperatureShift started(TemperatureShift shift, const std::vector<MeasuredModulus>& data) {
-  const double coldest = std::min_element(data.begin(), data.end(), [](const auto& a, const auto& b) {
-                           return a.temperature < b.temperature;
-                         })->temperature;
-  constexpr double usual_c1 = 8.86, usual_c2 = 101.6, farther = 1.5;  // than the coldest lies the pole
-  const double c2 = std::max(usual_c2, farther * (shift.reference - coldest));
-  if (shift.law == ShiftLaw::wlf && !(shift.c1 > 0)) {
-    shift.c1 = usual_c1;
-    shift.c2 = c2;
-  } else if (shift.law == ShiftLaw::vft && !(shift.vft_b > 0)) {
-    shift.vft_temperature = std::max(0.5 * coldest, shift.reference - c2);
-    shift.vft_b = usual_c1 * usual_c2 * std::numbers::ln10;
-  }
-  return shift;
 }
 
 /// The solid of least squares among those of an order and of a time theta of the spring-pot at its spring,
@@ -104,6 +88,22 @@ MaterialFit fit_zener(const std::vector<MeasuredModulus>& data, const MaterialFi
 
 }  // namespace
 
+TemperatureShift usual_constants(TemperatureShift shift, const std::vector<MeasuredModulus>& data) {
+  const double coldest = std::min_element(data.begin(), data.end(), [](const auto& a, const auto& b) {
+                           return a.temperature < b.temperature;
+                         })->temperature;
+  constexpr double usual_c1 = 8.86, usual_c2 = 101.6, farther = 1.5;  // than the coldest lies the pole
+  const double c2 = std::max(usual_c2, farther * (shift.reference - coldest));
+  if (shift.law == ShiftLaw::wlf && !(shift.c1 > 0)) {
+    shift.c1 = usual_c1;
+    shift.c2 = c2;
+  } else if (shift.law == ShiftLaw::vft && !(shift.vft_b > 0)) {
+    shift.vft_temperature = std::max(0.5 * coldest, shift.reference - c2);
+    shift.vft_b = usual_c1 * usual_c2 * std::numbers::ln10;
+  }
+  return shift;
+}
+
 std::complex<double> MaterialFit::modulus(double angular_frequency, double temperature) const {
   return modulus_at(report.point(), angular_frequency, temperature);
 }
@@ -139,12 +139,28 @@ MaterialFit fit_material(const std::vector<MeasuredModulus>& data, const Materia
   if (std::all_of(data.begin(), data.end(), same))
     throw std::invalid_argument("the moduli are all at one frequency: too few for a material");
   MaterialFitOptions wanted = options;
-  wanted.shift = started(options.shift, data);
+  if (options.free_shifts) {
+    wanted.shift.law = ShiftLaw::table;
+    wanted.shift.table.temperatures = steps_of_temperature(data);
+    wanted.shift.table.factors.assign(wanted.shift.table.temperatures.size(), 1);
+    wanted.shift = start_of_free_shifts(data, wanted);
+  } else {
+    wanted.shift = usual_constants(options.shift, data);
+  }
   MaterialFit answer = options.form == MaterialForm::prony ? fit_series(data, wanted) : fit_zener(data, wanted);
   const MasterCurve curve = master_curve_of(data, answer.shift);
   const auto [lowest, highest] = std::minmax_element(curve.frequencies.begin(), curve.frequencies.end());
   if (*lowest < *highest) warn(answer.report, passivity_test(curve).in_words());
   warn(answer.report, swapped_moduli(curve.storage, curve.loss));
+  if (options.free_shifts) {
+    for (const LawThrough& law : laws_through(answer.shift)) answer.notes.push_back(law.in_words());
+    warn(answer.report, without_overlap(data, answer.shift));
+    const SuperpositionTest test = superposition_test(data, answer.shift.table.temperatures);
+    if (test.holds())
+      answer.notes.push_back(test.in_words());
+    else
+      warn(answer.report, test.in_words());
+  }
   return answer;
 }
 

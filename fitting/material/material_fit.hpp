@@ -44,6 +44,7 @@ struct MaterialFitOptions {
   int terms = 0;                          ///< of a Prony series; 0: as many as the data ask for (automatic_series)
   std::optional<SeriesTimes> times = {};  ///< default: free for up to usual_free_terms that are asked for, else even
   TemperatureShift shift = {};            ///< its law, its reference, and where its constants start
+  bool free_shifts = false;  ///< one log10 a_T for each temperature: the law is a table, of steps_of_temperature
   bool deviations_known = false;
   FitOptions options = {};
 };
@@ -61,6 +62,9 @@ struct MaterialFit {
   /// G* of other parameters.
   std::function<std::complex<double>(const FitPoint&, double angular_frequency, double temperature)> modulus_at = {};
 };
+
+/// A shift with constants to start from, whose pole lies below the coldest data.
+TemperatureShift usual_constants(TemperatureShift shift, const std::vector<MeasuredModulus>& data);
 
 /// The moduli of a Prony series of even times (even_series.hpp) are linear unknowns that may be 0: their intervals are
 /// those of the slopes, cut off at 0, and only the constants of a shift have profiles. Those constants start where the

@@ -6,6 +6,8 @@
 #include <stdexcept>
 #include <utility>
 
+#include "core/messages/message_text.hpp"
+
 namespace rollres {
 
 namespace {
@@ -15,6 +17,17 @@ constexpr Quantity wlf_c2{"wlf_c2", "c2", "K", "second constant of WLF", positiv
 constexpr Quantity energy{"activation_energy", "E", "J/mol", "of Arrhenius' law", not_negative};
 constexpr Quantity vft_b{"vft_b", "B", "K", "of VFT's law", positive};
 constexpr Quantity vft_temperature{"vft_temperature", "T∞", "K", "of VFT's law", positive};
+constexpr Quantity log_shift{"log10_a_T", "log a_T", "1", "shift of one temperature", any_number};
+
+std::size_t nearest_to_reference(const TemperatureShift& shift) {
+  const std::vector<double>& all = shift.table.temperatures;
+  return static_cast<std::size_t>(std::min_element(all.begin(), all.end(),
+                                                   [&](double a, double b) {
+                                                     return std::abs(a - shift.reference) <
+                                                            std::abs(b - shift.reference);
+                                                   }) -
+                                  all.begin());
+}
 
 }  // namespace
 
@@ -28,7 +41,17 @@ FitParameter parameter(const Quantity& quantity, double start, std::string name)
           start};
 }
 
-std::vector<FitParameter> shift_parameters(const TemperatureShift& shift) {
+std::vector<FitParameter> shift_parameters(const TemperatureShift& shift, bool free) {
+  if (free) {
+    constexpr double farthest = 100;  // decades
+    std::vector<FitParameter> parameters;
+    for (std::size_t i = 0; i < shift.table.temperatures.size(); ++i)
+      if (i != nearest_to_reference(shift))
+        parameters.push_back({message_text<4>("log10_a_T (", shift.table.temperatures[i] - 273.15, " degC)"),
+                              {log_shift, -farthest, farthest, Scaling::linear, 1},
+                              std::log10(shift.table.factors[i])});
+    return parameters;
+  }
   if (shift.law == ShiftLaw::wlf)
     return {parameter(wlf_c1, shift.c1 > 0 ? shift.c1 : 8.86), parameter(wlf_c2, shift.c2 > 0 ? shift.c2 : 101.6)};
   if (shift.law == ShiftLaw::arrhenius)
@@ -40,8 +63,14 @@ std::vector<FitParameter> shift_parameters(const TemperatureShift& shift) {
   return {};
 }
 
-TemperatureShift shift_at(TemperatureShift shift, const FitPoint& point) {
+TemperatureShift shift_at(TemperatureShift shift, const FitPoint& point, bool free) {
   const std::size_t n = point.size();
+  if (free) {
+    std::size_t next = n + 1 - shift.table.factors.size();
+    for (std::size_t i = 0; i < shift.table.factors.size(); ++i)
+      shift.table.factors[i] = i == nearest_to_reference(shift) ? 1 : std::pow(10, point[next++]);
+    return shift;
+  }
   if (shift.law == ShiftLaw::wlf) shift.c1 = point[n - 2], shift.c2 = point[n - 1];
   if (shift.law == ShiftLaw::arrhenius) shift.activation_energy = point[n - 1];
   if (shift.law == ShiftLaw::vft) shift.vft_b = point[n - 2], shift.vft_temperature = point[n - 1];
@@ -71,15 +100,16 @@ FitProblem material_problem(const std::vector<MeasuredModulus>& data, std::vecto
                             const MaterialFitOptions& options, const ModulusAt& modulus) {
   FitProblem problem;
   problem.parameters = std::move(parameters);
-  for (FitParameter& added : shift_parameters(options.shift)) problem.parameters.push_back(std::move(added));
+  for (FitParameter& added : shift_parameters(options.shift, options.free_shifts))
+    problem.parameters.push_back(std::move(added));
   problem.deviations_known = options.deviations_known;
   for (const MeasuredModulus& row : data) {
     problem.data.push_back({row.storage, row.storage_deviation, row.place});
     problem.data.push_back({row.loss, row.loss_deviation, row.place});
   }
-  const auto values = [data, modulus, shift = options.shift](const FitPoint& point) {
+  const auto values = [data, modulus, shift = options.shift, free = options.free_shifts](const FitPoint& point) {
     Eigen::VectorXd moduli(2 * std::ssize(data));
-    const TemperatureShift here = shift_at(shift, point);
+    const TemperatureShift here = shift_at(shift, point, free);
     Eigen::Index row = 0;
     for (const MeasuredModulus& measured : data) {
       const auto value = modulus(point, measured.angular_frequency * shift_factor(here, measured.temperature));
@@ -94,9 +124,10 @@ FitProblem material_problem(const std::vector<MeasuredModulus>& data, std::vecto
 
 MaterialFit material_answer(FitReport report, const MaterialFitOptions& options, const ModulusAt& modulus) {
   MaterialFit answer{.report = std::move(report), .zener = {}, .prony = {}, .shift = {}};
-  answer.shift = shift_at(options.shift, answer.report.point());
-  answer.modulus_at = [modulus, shift = options.shift](const FitPoint& point, double omega, double temperature) {
-    return modulus(point, omega * shift_factor(shift_at(shift, point), temperature));
+  answer.shift = shift_at(options.shift, answer.report.point(), options.free_shifts);
+  answer.modulus_at = [modulus, shift = options.shift, free = options.free_shifts](const FitPoint& point, double omega,
+                                                                                   double temperature) {
+    return modulus(point, omega * shift_factor(shift_at(shift, point, free), temperature));
   };
   return answer;
 }

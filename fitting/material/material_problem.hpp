@@ -17,10 +17,11 @@ inline constexpr Quantity modulus_at_rest{"static_shear_modulus", "G0", "Pa", "G
 FitParameter parameter(const Quantity& quantity, double start, std::string name = {});
 
 /// The constants of a shift, which start at its own, or where those are 0 at usual ones.
-std::vector<FitParameter> shift_parameters(const TemperatureShift& shift);
+/// @param free  of a table: log10 a_T of each temperature but the one nearest to the reference, where it is 0
+std::vector<FitParameter> shift_parameters(const TemperatureShift& shift, bool free = false);
 
 /// The shift whose constants are the last values of a point.
-TemperatureShift shift_at(TemperatureShift shift, const FitPoint& point);
+TemperatureShift shift_at(TemperatureShift shift, const FitPoint& point, bool free = false);
 
 /// G* of the first values of a point [Pa].
 using ModulusAt = std::function<std::complex<double>(const FitPoint&, double reduced_frequency)>;

@@ -47,15 +47,16 @@ std::vector<FitParameter> series_parameters(const PronySeries& series) {
 
 /// Slopes of a problem whose first parameters are the moduli of a series: those are what a unit modulus adds, those of
 /// the shift differences.
-Slopes series_slopes(const std::vector<MeasuredModulus>& data, const PronySeries& series, const TemperatureShift& shift,
-                     const FitProblem& problem, const FitPoint& point, const Prediction& prediction) {
+Slopes series_slopes(const std::vector<MeasuredModulus>& data, const PronySeries& series,
+                     const MaterialFitOptions& options, const FitProblem& problem, const FitPoint& point,
+                     const Prediction& prediction) {
   constexpr double step = 1e-3, rounding = 1e-15;
   const Eigen::Index rows = prediction.values.size(), columns = std::ssize(problem.parameters);
   const Eigen::VectorXd noise = rounding * prediction.values.cwiseAbs();
   Slopes slopes{Eigen::MatrixXd::Zero(rows, columns), Eigen::MatrixXd::Zero(rows, columns), noise,
                 Eigen::VectorXd::Constant(columns, RollingSolution::absent)};
   const Eigen::Index moduli = std::ssize(series.terms) + (series.static_modulus > 0 ? 1 : 0);
-  const TemperatureShift here = shift_at(shift, point);
+  const TemperatureShift here = shift_at(options.shift, point, options.free_shifts);
   for (Eigen::Index row = 0; row < rows; row += 2) {
     const MeasuredModulus& measured = data[static_cast<std::size_t>(row / 2)];
     const double omega = measured.angular_frequency * shift_factor(here, measured.temperature);
@@ -101,14 +102,17 @@ void bound_modulus(FittedParameter& fitted, double threshold, bool profile) {
       {interval.lowest, cut ? threshold * part * part : threshold}, {fitted.value, 0}, {interval.highest, threshold}};
 }
 
-/// Intervals of a series' parameters: of the moduli by the slopes, of the constants of a shift by profiles.
-void add_intervals(FitReport& report, const FitProblem& problem, std::size_t moduli, const FitOptions& options) {
+/// Intervals of a series' parameters: of the moduli and of free shifts by the slopes, of the constants of a law by
+/// profiles.
+void add_intervals(FitReport& report, const FitProblem& problem, std::size_t moduli, const MaterialFitOptions& wanted) {
   if (!report.slopes.found()) return;
+  const FitOptions& options = wanted.options;
+  const bool profiles = options.profiles && !wanted.free_shifts;
   const double threshold = interval_threshold(problem);
   for (std::size_t j = 0; j < moduli; ++j) bound_modulus(report.parameters[j], threshold, options.profiles);
   const Prediction prediction = problem.predict(report.point());
   const Descent end{report.point(), report.point(), report.chi_squared, prediction, true, report.stopped};
-  for (std::size_t j = moduli; j < problem.size() && options.profiles && prediction.found(); ++j)
+  for (std::size_t j = moduli; j < problem.size() && profiles && prediction.found(); ++j)
     report.parameters[j].profile = profile(problem, end, report.slopes, report.errors, j, threshold, options.stop);
   judge(report, problem);
   report.evaluations = problem.log->evaluations();
@@ -122,9 +126,8 @@ MaterialFit fit_moduli(const std::vector<MeasuredModulus>& data, const PronySeri
     return complex_modulus(series_at(series, point), omega);
   });
   const FitProblem plain = problem;
-  problem.model.differentiate = [data, series, plain, shift = options.shift](const FitPoint& point,
-                                                                             const Prediction& prediction) {
-    return series_slopes(data, series, shift, plain, point, prediction);
+  problem.model.differentiate = [data, series, plain, options](const FitPoint& point, const Prediction& prediction) {
+    return series_slopes(data, series, options, plain, point, prediction);
   };
   FitOptions wanted = options.options;
   wanted.profiles = false;
@@ -134,7 +137,7 @@ MaterialFit fit_moduli(const std::vector<MeasuredModulus>& data, const PronySeri
   MaterialFit answer = material_answer(fit(problem, wanted), options, [series](const FitPoint& point, double omega) {
     return complex_modulus(series_at(series, point), omega);
   });
-  add_intervals(answer.report, problem, moduli.size(), options.options);
+  add_intervals(answer.report, problem, moduli.size(), options);
   answer.prony = series_at(series, answer.report.point());
   return answer;
 }
@@ -258,11 +261,12 @@ TemperatureShift best_shift(const std::vector<MeasuredModulus>& data, const Mate
       material_problem(data, {}, options, [](const FitPoint&, double) { return std::complex<double>(); });
   FitPoint start = start_point(problem);
   if (start.empty()) return options.shift;
-  const EvenSeries basis = automatic_series(data, shift_at(options.shift, start), options.deviations_known);
-  problem.model.predict = [&data, &options, &basis](const FitPoint& point, const DataRows&) {
+  const auto shift_of = [&](const FitPoint& point) { return shift_at(options.shift, point, options.free_shifts); };
+  const EvenSeries basis = automatic_series(data, shift_of(start), options.deviations_known);
+  problem.model.predict = [&](const FitPoint& point, const DataRows&) {
     Prediction prediction{Eigen::VectorXd(2 * std::ssize(data))};
     try {
-      const TemperatureShift here = shift_at(options.shift, point);
+      const TemperatureShift here = shift_of(point);
       const PronySeries series = even_series(data, here, basis.times, basis.beyond).series;
       Eigen::Index row = 0;
       for (const MeasuredModulus& measured : data) {
@@ -281,7 +285,7 @@ TemperatureShift best_shift(const std::vector<MeasuredModulus>& data, const Mate
     return differences(problem, point, prediction, step, rounding * prediction.values.cwiseAbs());
   };
   const Descent found = descend(problem, start, {.tolerance = 1e-4, .stop = options.options.stop});
-  return shift_at(options.shift, found.found() ? found.end : start);
+  return shift_of(found.found() ? found.end : start);
 }
 
 MaterialFit fit_series(const std::vector<MeasuredModulus>& data, const MaterialFitOptions& options) {

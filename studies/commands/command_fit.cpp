@@ -16,6 +16,7 @@
 #include "studies/fit/fit_keys.hpp"
 #include "studies/fit/fit_record.hpp"
 #include "studies/fit/fitted_scene.hpp"
+#include "studies/fit/free_shift_files.hpp"
 #include "studies/fit/material_curves.hpp"
 #include "studies/fit/material_file.hpp"
 #include "studies/fit/shift_file.hpp"
@@ -122,8 +123,9 @@ std::string model_in_words(const MaterialFitOptions& options, const MaterialFit&
   std::string words(name_of(options.form));
   if (options.form == MaterialForm::prony) words += ", " + std::to_string(found.prony.terms.size()) + " terms";
   if (options.shift.law == ShiftLaw::none) return words;
-  const auto law = static_cast<std::size_t>(options.shift.law);
-  return words + ", " + (law < shift_names.size() ? std::string(shift_names[law]) : "table of shifts");
+  if (options.free_shifts) return words + ", free shifts";
+  if (options.shift.law == ShiftLaw::table) return words + ", table of shifts";
+  return words + ", " + std::string(shift_names[static_cast<std::size_t>(options.shift.law)]);
 }
 
 MadeFit make_material_fit(const FitArguments& arguments, MaterialFile file, Session& session) {
@@ -135,6 +137,9 @@ MadeFit make_material_fit(const FitArguments& arguments, MaterialFile file, Sess
   record.scene = fitted_scene(found, file);
   if (found.report.slopes.found()) record = with_curves(std::move(record), modulus_curves(file, found));
   const std::string model = model_in_words(file.options, found);
+  if (file.options.free_shifts && !arguments.out.empty() && found.report.slopes.found())
+    for (const auto& written : write_free_shifts(found, file.name, arguments.out))
+      session.err << "written: " << written.string() << '\n';
   const FitReport report = found.report;
   return stored({.source = arguments.fit,
                  .name = file.name,

@@ -11,7 +11,8 @@
 namespace rollres {
 
 inline constexpr std::array<std::string_view, 2> weight_names{"uniform", "relative"};
-inline constexpr std::array<std::string_view, 4> shift_names{"none", "wlf", "arrhenius", "vft"};
+inline constexpr std::string_view free_shift = "free";  ///< a table of its own, found with the material
+inline constexpr std::array<std::string_view, 5> shift_names{"none", "wlf", "arrhenius", "vft", free_shift};
 inline constexpr std::array<std::string_view, 3> law_names{"wlf", "arrhenius", "vft"};
 inline constexpr std::string_view shift_alone = "shift";  ///< in place of a material: a shift law from a table of a_T
 inline constexpr std::string_view kraus_alone = "kraus";  ///< in place of a material: Kraus's model from a strain sweep

@@ -7,6 +7,7 @@
 
 #include "db/file/digest.hpp"
 #include "fitting/fit/resistance_fit.hpp"
+#include "fitting/material/free_shifts.hpp"
 #include "studies/fit/fit_keys.hpp"
 #include "studies/scene_io/doubtful_number.hpp"
 #include "studies/scene_io/master_curve_file.hpp"
@@ -108,9 +109,11 @@ std::optional<ListedModuli> given_listed_moduli(const Json& object, const std::s
 TemperatureShift given_shift(const Json& object, const std::filesystem::path& file, const std::string& place,
                              std::string& text) {
   const std::string law = name_or_first(object, "shift", shift_names, place), key{shift_table_key};
+  // In the order of the laws; what is free becomes a table.
   TemperatureShift shift{.law = static_cast<ShiftLaw>(find_name(shift_names, law)),
                          .reference = given_reference_temperature(object, place)};
   if (!object.contains(key)) return shift;
+  if (law == free_shift) refuse(place, "shift", object["shift"], "has no place beside " + key);
   const auto name = file.parent_path() / needed_text(object, key, place, "must be the name of a CSV file");
   const Json lists = read_shift_table(name, names_or_none(object, std::string(ignored_columns_key), place));
   const auto list = [&](std::string_view input) {
@@ -125,6 +128,14 @@ TemperatureShift given_shift(const Json& object, const std::filesystem::path& fi
     refuse(place, "shift", object["shift"], "a_T is in the " + key + ": leave out one of them");
   shift.law = ShiftLaw::table;
   return shift;
+}
+
+/// The reference of free shifts lies within the temperatures that are measured.
+void refuse_reference_beyond(const MaterialFile& fit, const std::string& place) {
+  TemperatureShift measured = fit.options.shift;
+  measured.table.temperatures = steps_of_temperature(fit.data);
+  measured.table.factors.assign(measured.table.temperatures.size(), 1);
+  refuse_beyond(measured, measured.table.temperatures.front(), place);
 }
 
 }  // namespace
@@ -154,6 +165,7 @@ MaterialFile read_material_fit(const std::filesystem::path& file) {
   MeasuredTable table = read_measured_table(file.parent_path() / name);
   std::string text = table.text;
   fit.options.shift = given_shift(object, file, place, text);
+  fit.options.free_shifts = fit.options.shift.law == ShiftLaw::table && fit.options.shift.table.temperatures.empty();
   fit.data_digest = digest(text);
   table.leave_out(names_or_none(object, std::string(ignored_columns_key), place));
   const ListedModuli listed =
@@ -183,9 +195,11 @@ MaterialFile read_material_fit(const std::filesystem::path& file) {
                         .loss_deviation = sigma.loss * factor * loss[row],
                         .place = table.place(row)});
     if (temperature && !shifted && here != fit.data.front().temperature)
-      throw std::invalid_argument(table.place(row) + ": " + cell +
-                                  ": several temperatures need a shift (wlf, arrhenius or vft) or a table of a_T");
+      throw std::invalid_argument(
+          table.place(row) + ": " + cell +
+          ": several temperatures need a shift (free, wlf, arrhenius or vft) or a table of a_T");
   }
+  if (fit.options.free_shifts) refuse_reference_beyond(fit, place);
   if (tabled)
     fit.notes.push_back("shifts of " + needed_text(object, std::string(shift_table_key), place, "") +
                         (shifted && shift.law == ShiftLaw::table ? ": frequencies are reduced by a_T" : "") +

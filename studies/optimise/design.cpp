@@ -67,7 +67,7 @@ struct AnsweredScenes {
     for (RollingSolution& solution : solutions) {
       const double error = solution.rolling_resistance_error;
       if (!(error > 0)) continue;
-      solution.rolling_resistance_coefficient *= 1 + error / solution.rolling_resistance;
+      if (solution.load > 0) solution.rolling_resistance_coefficient += error / solution.load;
       solution.rolling_resistance += error;
     }
   }

@@ -58,7 +58,7 @@ Table table_of(std::span<const DesignProblem> problems, const ChoicesReport& rep
   return table;
 }
 
-/// Choices that may be better than the best one for all that the errors say, a sentence for each.
+/// Choices that differ from the best one by less than the errors of both, a sentence for each.
 std::vector<std::string> undecided(std::span<const DesignProblem> problems, const ChoicesReport& report) {
   std::vector<std::string> sentences;
   if (!report.best) return sentences;
@@ -70,8 +70,8 @@ std::vector<std::string> undecided(std::span<const DesignProblem> problems, cons
     if (!(apart < open)) continue;
     const auto words = [&](double value) { return readable(value, problems[i].unit(problems[i].goal.formula)); };
     sentences.push_back(chosen_in_words(problems[i]) + " is worse than the best by " + words(apart) +
-                        ", and the errors of both leave " + words(open) +
-                        " open: which of them is better is not known");
+                        ", less than the errors of both (" + words(open) +
+                        "): they may change places unless both err alike");
   }
   return sentences;
 }

@@ -235,10 +235,16 @@ TEST_CASE("a material's inputs that are missing, too many or do not go together 
           s.shift_temperatures = {280, 300};
           s.shift_factors = {10, 1};
           s.reference_temperature = 300;
-          s.temperature = 279;
+          s.temperature = 278.9;
         }) ==
-        "temperature = 279: must be within shift_temperatures, 280 to 300 K: the table is not continued beyond its "
-        "ends");
+        "temperature = 278.9: must be within shift_temperatures, 280 to 300 K: beyond its ends the table goes on by "
+        "half a step and 1 K at most");
+  CHECK(first([](Scene& s) {
+          s.shift_temperatures = {280, 300};
+          s.shift_factors = {10, 1};
+          s.reference_temperature = 300.016;  // as the instrument read it
+          s.temperature = 279.1;
+        }).empty());
   CHECK(first([](Scene& s) {
           s.wlf_c1 = 8;
           s.wlf_c2 = 50;

@@ -210,13 +210,14 @@ const std::vector<Wrong> wrong_studies{
     {study_with(R"({"layer": {"zip": {"radius": [0.02, 0.03], "speed": [1, 2, 3]}}})"),
      ": axes: layer: zip: speed = [1,2,3]: has 3 values, but radius has 2"},
     {study_with(R"({"layer": {"zip": {"radius": [0.02]}}})"),
-     ": axes: layer: zip = {\"radius\":[0.02]}: must be an object of two or more inputs"},
+     ": axes: layer: zip = {\"radius\":[0.02]}: must be an object of two or more inputs, or of one with columns beside "
+     "it"},
     {study_with(R"({"layer": {"zip": {"radius": [0.02], "sped": [1]}}})"),
      ": axes: layer: zip: sped = [1]: unknown key; did you mean speed?"},
     {study_with(R"({"layer": {"zip": {"radius": [0.02], "speed": ["1 kg"]}}})"),
      ": axes: layer: zip: speed = \"1 kg\": must have a unit of speed (m/s)"},
     {study_with(R"({"layer": {"zip": {"radius": [0.02], "speed": [1]}, "points": 3}})"),
-     ": axes: layer: points = 3: unknown key; known are zip"},
+     ": axes: layer: points = 3: unknown key; known are zip, columns"},
     {study_with(R"({"speed": {"zip": {"radius": [0.02], "speed": [1]}}})"),
      ": axes: speed: zip = {\"radius\":[0.02],\"speed\":[1]}: a zip needs a name of its own, not that of an input and "
      "not "

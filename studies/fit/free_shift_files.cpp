@@ -1,0 +1,58 @@
+#include "studies/fit/free_shift_files.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+#include "fitting/material/free_shifts.hpp"
+#include "studies/drawing/chart.hpp"
+#include "studies/text/files.hpp"
+#include "studies/text/readable_number.hpp"
+
+namespace rollres {
+
+namespace {
+
+ChartRequest shifts_chart(const MaterialFit& found, const std::string& name) {
+  const ShiftTable& table = found.shift.table;
+  const auto celsius = [](double temperature) { return temperature - 273.15; };
+  ChartRequest request{.title = name,
+                       .subtitle = "shifts found with the material, reference " +
+                                   short_number(celsius(found.shift.reference), 4) + " °C",
+                       .x = {.name = "temperature", .symbol = "T", .unit = "°C"},
+                       .y = {.name = "log10 a_T"},
+                       .curves = {{"found", {}}},
+                       .mark_peaks = false};
+  request.curves.front().line = false;
+  const double at_reference = shift_factor(found.shift, found.shift.reference);
+  for (std::size_t i = 0; i < table.temperatures.size(); ++i)
+    request.curves.front().points.push_back(
+        {celsius(table.temperatures[i]), std::log10(shift_factor(found.shift, table.temperatures[i]) / at_reference)});
+  const auto [lowest, highest] = std::minmax_element(table.temperatures.begin(), table.temperatures.end());
+  for (const LawThrough& law : laws_through(found.shift)) {
+    ChartCurve& curve = request.curves.emplace_back(ChartCurve{law.name, {}});
+    curve.marks = false;
+    constexpr int pieces = 80;
+    for (int i = 0; i <= pieces; ++i) {
+      const double temperature = *lowest + (*highest - *lowest) * i / pieces;
+      curve.points.push_back({celsius(temperature), std::log10(shift_factor(law.shift, temperature))});
+    }
+  }
+  return request;
+}
+
+}  // namespace
+
+std::vector<std::filesystem::path> write_free_shifts(const MaterialFit& found, const std::string& name,
+                                                     const std::filesystem::path& folder) {
+  std::string text = "# " + name + ": shifts found with the material, 0 at " + short_number(found.shift.reference, 6) +
+                     " K\ntemperature [K],log10_a_T [1]\n";
+  for (const double temperature : found.shift.table.temperatures)
+    text += short_number(temperature, 7) + ',' + shortest(std::log10(shift_factor(found.shift, temperature))) + '\n';
+  const std::filesystem::path file = folder / "shifts.csv";
+  write_file(file, text);
+  const ChartFiles picture = draw_chart(shifts_chart(found, name), folder / "shifts");
+  return {file, picture.svg, picture.png};
+}
+
+}  // namespace rollres
