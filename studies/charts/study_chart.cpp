@@ -5,6 +5,7 @@
 #include <stdexcept>
 
 #include "core/scene/scene_input.hpp"
+#include "studies/charts/derived_error.hpp"
 #include "studies/scatter/scatter_statistics.hpp"
 #include "studies/text/readable_number.hpp"
 #include "studies/text/strict_json.hpp"
@@ -260,6 +261,7 @@ Curves curves_of(const ShownStudy& shown, const Choice& choice, const ChartScale
   const StudyRows& rows = shown.rows;
   Curves curves(StudyOrder(rows, choice.families));
   if (choice.scatter) curves = scattered_curves(rows, choice, scales);
+  const DerivedError formula(*choice.y);
   for (std::size_t row = 0; row < rows.size() && !choice.scatter; ++row) {
     std::vector<Cell> values;
     for (const QuantityColumn* const family : choice.families) values.push_back(rows.cell(row, *family));
@@ -270,6 +272,8 @@ Curves curves_of(const ShownStudy& shown, const Choice& choice, const ChartScale
       add_shares(point, rows, row, scales.y.unit.factor);
     else if (choice.is_resistance() && point.converged)
       add_band(point, rows.number(row, "error_estimate"));
+    else if (formula.any() && point.converged)
+      add_band(point, formula(rows, row));
   }
   if (curves.size() > most_curves)
     throw TooManyCurves(shown.study.name + ": would need " + std::to_string(curves.size()) + " curves; show at most " +
@@ -451,7 +455,7 @@ StoredChart stored_chart(ResultStore& store, const StudyChartOptions& options) {
     stack_shares(request, study.name);
   else if (choice.scatter)
     request.areas = "P10 to P90, line: median";
-  else if (choice.is_resistance())
+  else if (choice.is_resistance() || DerivedError(*choice.y).any())
     request.areas = "estimated error";
   return chart;
 }

@@ -9,7 +9,7 @@
 #include "tests/studies/study_points.hpp"
 #include "tests/studies/temporary_directory.hpp"
 
-// Covers study_definition, too.
+// Covers study_definition and derived_error, too.
 
 using namespace rollres;
 using Catch::Matchers::Contains;
@@ -329,6 +329,27 @@ TEST_CASE("rolling resistance has a band as wide as its estimated error, where i
   error = 1e-8;
   ResultStore narrow = stored(other, speed_and_load(), estimated);
   CHECK_THAT(chart_script(stored_chart(narrow, {}).request, chart_files("c")), !Contains("filledcurves"));
+}
+
+TEST_CASE("a formula has the band that the error of the rolling resistance in it makes", "[studies][chart]") {
+  const TemporaryDirectory scratch;
+  ResultStore store = stored(
+      scratch, speed_and_load(),
+      [](const RollingScene& scene) {
+        RollingSolution solution = closed_form(scene);
+        solution.error_estimate = 0.02;
+        return solution;
+      },
+      R"({"compute": {"square": "rolling_resistance^2 * speed", "other": "2 * load"}})");
+  StudyChartOptions options;
+  options.y = "square";
+  const ChartRequest squares = stored_chart(store, options).request;
+  CHECK(squares.areas == "estimated error");
+  const ChartPoint& point = squares.curves.front().points.front();
+  CHECK(point.high / point.y == Approx(1.02 * 1.02));
+  CHECK(point.low / point.y == Approx(2 - 1.02 * 1.02));
+  options.y = "other";
+  CHECK(stored_chart(store, options).request.areas.empty());
 }
 
 TEST_CASE("shares of the losses are stacked up to the rolling resistance", "[studies][chart]") {
