@@ -1,3 +1,5 @@
+#include <algorithm>
+#include <array>
 #include <numbers>
 #include <optional>
 #include <ostream>
@@ -8,6 +10,7 @@
 #include "core/numerics/solution_limits.hpp"
 #include "studies/drawing/chart_frame.hpp"
 #include "studies/program/commands.hpp"
+#include "studies/scene_io/material_export.hpp"
 #include "studies/scene_io/scene_file.hpp"
 #include "studies/text/readable_number.hpp"
 #include "studies/text/table_output.hpp"
@@ -44,6 +47,13 @@ void print_words(std::ostream& out, const MaterialInputs& layer, const CreepSpec
     out << "loss peak    G\"/G' = " << short_number(peak.tangent, 4) << " at "
         << readable(peak.omega / (2 * std::numbers::pi), "Hz") << '\n';
 }
+
+constexpr auto material_formats = [] {
+  std::array<std::string_view, table_formats.size() + material_export_formats.size()> all;
+  std::copy(material_export_formats.begin(), material_export_formats.end(),
+            std::copy(table_formats.begin(), table_formats.end(), all.begin()));
+  return all;
+}();
 
 constexpr int points_per_decade = 20;
 constexpr double mega = 1e6;
@@ -137,11 +147,13 @@ void run_material(const MaterialArguments& arguments, Session& session) {
     return;
   }
   const CreepSpectrum& creep = *found;
+  const bool exports = std::count(material_export_formats.begin(), material_export_formats.end(), arguments.format) > 0;
+  if (exports) session.out << exported_material(scene, arguments.format);
   if (arguments.format == "table") {
     print_words(session.out, scene, creep);
     session.out << '\n';
   }
-  write_table(session.out, moduli_table(creep, arguments.per_decade), arguments.format);
+  if (!exports) write_table(session.out, moduli_table(creep, arguments.per_decade), arguments.format);
   if (arguments.chart.empty()) return;
   for (const auto& file : draw_material(scene, arguments.chart)) session.err << "drawn " << file.string() << '\n';
 }
@@ -158,8 +170,11 @@ void add_material(Command& program, Session& session) {
   command
       ->add_option("--per-decade N", arguments.per_decade, "Rows of the table for each decade of frequency; default 1")
       ->between(1, 100);
-  command->add_option("--format FORMAT", arguments.format, "table (default), csv, json, jsonl or markdown")
-      ->one_of(table_formats);
+  command
+      ->add_option("--format FORMAT", arguments.format,
+                   "table (default), csv, json, jsonl or markdown of moduli; or the Prony series with its shift for "
+                   "abaqus, ansys, comsol, as prony_csv or as a scene")
+      ->one_of(material_formats);
   command->footer("Example: rollres material studies/examples/paper_cylinder.json --out rubber");
 }
 

@@ -1,0 +1,151 @@
+#include "studies/scene_io/material_export.hpp"
+
+#include <algorithm>
+#include <numbers>
+#include <optional>
+#include <sstream>
+
+#include "core/material/prony_series.hpp"
+#include "studies/scene_io/solution_json.hpp"
+
+namespace rollres {
+
+namespace {
+
+/// log10 a = -c1 (T - reference)/(c2 + T - reference).
+struct ExportedShift {
+  double reference, c1, c2;
+};
+
+struct ExportedSeries {
+  PronySeries series;  ///< in shear
+  double at_once = 0;  ///< G'(infinity) [Pa]
+  std::optional<ExportedShift> shift = {};
+  std::string remark = {};
+  double poisson_ratio = 0.5;
+
+  double young() const { return 2 * (1 + poisson_ratio) * at_once; }
+};
+
+std::optional<ExportedShift> written_shift(const MaterialInputs& layer) {
+  if (!layer.reference_temperature || !layer.modulus_shifts.empty()) return std::nullopt;
+  const double reference = *layer.reference_temperature;
+  if (layer.wlf_c1) return ExportedShift{reference, *layer.wlf_c1, *layer.wlf_c2};
+  if (!layer.vft_b) return std::nullopt;
+  const double c2 = reference - *layer.vft_temperature;
+  return ExportedShift{reference, *layer.vft_b / (c2 * std::numbers::ln10), c2};
+}
+
+ExportedSeries exported_series(const RollingScene& scene) {
+  constexpr double nearly_incompressible = 0.4995;
+  MaterialInputs layer = scene;
+  ExportedSeries exported;
+  exported.shift = written_shift(layer);
+  std::ostringstream remark;
+  if (exported.shift)
+    remark << "at the reference temperature, " << exported.shift->reference << " K";
+  else if (layer.temperature)
+    remark << "at " << *layer.temperature << " K: of laws of shift only WLF and VFT are written, without b_T";
+  exported.remark = remark.str();
+  if (exported.shift) layer.temperature.reset();
+  const CreepSpectrum creep = creep_spectrum(layer);
+  const RelaxationSpectrum relaxation = relaxation_spectrum(creep);
+  exported.at_once = relaxation.instantaneous;
+  for (const RelaxationSpectrum::Term& term : relaxation.terms)
+    exported.series.terms.push_back({term.modulus, term.time});
+  exported.series.static_modulus = 1 / creep.at_rest();
+  exported.series = ordered(exported.series);
+  exported.poisson_ratio = std::min(layer.poisson_ratio, nearly_incompressible);
+  return exported;
+}
+
+std::string comment(std::string_view mark, const ExportedSeries& exported) {
+  std::string text(mark);
+  text += " Prony series in shear by rollres, SI units, K";
+  return text + (exported.remark.empty() ? "" : "; " + exported.remark) + '\n';
+}
+
+void write_abaqus(std::ostream& out, const ExportedSeries& exported) {
+  out << comment("**", exported) << "*MATERIAL, NAME=ROLLRES\n*ELASTIC, MODULI=INSTANTANEOUS\n"
+      << exported.young() << ", " << exported.poisson_ratio << '\n';
+  if (!exported.series.terms.empty()) out << "*VISCOELASTIC, TIME=PRONY\n";
+  for (const PronySeries::Term& term : exported.series.terms)
+    out << term.modulus / exported.at_once << ", " << term.modulus / exported.at_once << ", " << term.time << '\n';
+  if (const auto& shift = exported.shift)
+    out << "*TRS, DEFINITION=WLF\n" << shift->reference << ", " << shift->c1 << ", " << shift->c2 << '\n';
+}
+
+void write_ansys(std::ostream& out, const ExportedSeries& exported) {
+  const std::size_t terms = exported.series.terms.size();
+  out << comment("!", exported) << "MP,EX,1," << exported.young() << "\nMP,PRXY,1," << exported.poisson_ratio << '\n';
+  for (const char* part : {"SHEAR", "BULK"}) {
+    if (terms == 0) break;
+    out << "TB,PRONY,1,," << terms << ',' << part << '\n';
+    for (std::size_t i = 0; i < terms; ++i)
+      out << "TBDATA," << 2 * i + 1 << ',' << exported.series.terms[i].modulus / exported.at_once << ','
+          << exported.series.terms[i].time << '\n';
+  }
+  if (const auto& shift = exported.shift)
+    out << "TB,SHIFT,1,,3,WLF\nTBDATA,1," << shift->reference << ',' << shift->c1 << ',' << shift->c2 << '\n';
+}
+
+void write_constants(std::ostream& out, std::string_view mark, const ExportedSeries& exported) {
+  out << comment(mark, exported) << mark << " shear modulus at rest [Pa]: " << exported.series.static_modulus << '\n';
+  out << mark << " poisson_ratio: " << exported.poisson_ratio << '\n';
+  if (const auto& shift = exported.shift)
+    out << mark << " Williams-Landel-Ferry: T0 [K], C1, C2 [K]: " << shift->reference << ' ' << shift->c1 << ' '
+        << shift->c2 << '\n';
+}
+
+void write_comsol(std::ostream& out, const ExportedSeries& exported) {
+  write_constants(out, "%", exported);
+  int branch = 0;
+  for (const PronySeries::Term& term : exported.series.terms)
+    out << ++branch << ' ' << term.modulus << ' ' << term.time << '\n';
+}
+
+void write_series(std::ostream& out, const ExportedSeries& exported) {
+  write_constants(out, "#", exported);
+  out << "relaxation_time [s],relaxation_modulus [Pa]\n";
+  for (const PronySeries::Term& term : exported.series.terms) out << term.time << ',' << term.modulus << '\n';
+}
+
+/// The scene with the series at its reference temperature, or at its own where it has no law.
+std::string scene_of_series(RollingScene scene) {
+  MaterialInputs layer = scene;
+  layer.temperature.reset();
+  const CreepSpectrum creep = creep_spectrum(layer);
+  scene.material = MaterialModel::prony;
+  scene.static_young_modulus.reset();
+  scene.static_shear_modulus = 1 / creep.at_rest();
+  scene.stiffening = scene.creep_time = 0;
+  scene.fractional_order = MaterialInputs{}.fractional_order;
+  for (std::vector<double>* list : {&scene.frequencies, &scene.storage_moduli, &scene.loss_moduli,
+                                    &scene.relaxation_times, &scene.relaxation_moduli})
+    list->clear();
+  PronySeries series{*scene.static_shear_modulus, {}};
+  for (const RelaxationSpectrum::Term& term : relaxation_spectrum(creep).terms)
+    series.terms.push_back({term.modulus, term.time});
+  for (const PronySeries::Term& term : ordered(series).terms) {
+    scene.relaxation_times.push_back(term.time);
+    scene.relaxation_moduli.push_back(term.modulus);
+  }
+  scene.listed_moduli = ListedModuli::shear;
+  return scene_json(scene);
+}
+
+}  // namespace
+
+std::string exported_material(const RollingScene& scene, std::string_view format) {
+  if (format == "scene") return scene_of_series(scene) + '\n';
+  std::ostringstream out;
+  out.precision(15);
+  const ExportedSeries exported = exported_series(scene);
+  if (format == "abaqus") write_abaqus(out, exported);
+  if (format == "ansys") write_ansys(out, exported);
+  if (format == "comsol") write_comsol(out, exported);
+  if (format == "prony_csv") write_series(out, exported);
+  return out.str();
+}
+
+}  // namespace rollres
