@@ -70,6 +70,13 @@ std::string fault_of(const ContactModel& model, const SurfaceGrid& grid, const N
   return touches_rim(model, grid, normal.contact) ? "the contact is as wide as the body" : "";
 }
 
+std::string unsettled(int passes, double change, bool same_zones) {
+  std::ostringstream text;
+  text << "normal and tangential problem did not settle in " << passes << " passes: forces still change by " << change
+       << " of the largest, zones " << (same_zones ? "stay" : "change");
+  return text.str();
+}
+
 /// Tractions, zones and motion of a state from the forces of both problems.
 void take_forces(const NormalContact& normal, const StickSlip& tangential, bool frictionless, ContactState& state) {
   state.approach = normal.approach;
@@ -136,10 +143,7 @@ ContactState combined_loop(const ContactModel& model, const InfluenceTable& tabl
       break;
     }
     if (pass == pass_limit) {
-      std::ostringstream text;
-      text << "normal and tangential problem did not settle in " << pass << " passes: forces still change by "
-           << change / largest << " of the largest, zones " << (same ? "stay" : "change");
-      state.reason = text.str();
+      state.reason = unsettled(pass, change / largest, same);
       break;
     }
   }
