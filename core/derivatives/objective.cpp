@@ -9,6 +9,7 @@
 
 #include "core/material/material.hpp"
 #include "core/messages/require.hpp"
+#include "core/scene/friction_law.hpp"
 #include "core/scene/scene_input.hpp"
 
 namespace rollres {
@@ -40,7 +41,7 @@ std::optional<double> length_of_change(const RollingScene& scene, std::string_vi
   if (key.ends_with("poisson_ratio")) return std::max(0.5 - value, least_of_ratio);
   if (key == "rotation_ratio") return std::clamp(std::abs(1 - value), least_creepage, std::max(std::abs(value), 1.0));
   if (is_temperature(key)) return kelvins;
-  const double torque = of_friction * scene.friction_coefficient * scene.load.value_or(0) * scene.radius;
+  const double torque = of_friction * friction_law(scene).slope(0) * scene.load.value_or(0) * scene.radius;
   if (key == "driving_torque" && torque > 0) return std::max(std::abs(value), torque);
   return std::nullopt;
 }

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "core/numerics/bracketed_root.hpp"
+#include "core/scene/friction_law.hpp"
 
 namespace rollres {
 
@@ -78,7 +79,7 @@ LineEnd end_of(const LoadedLine& line, bool from_last, double wedge) {
 double wedge_of(const ContactModel& model) {
   double nu = model.top().poisson_ratio;
   if (!model.coating.empty()) nu = std::min(nu, model.coating.front().poisson_ratio);
-  return std::atan((1 - 2 * nu) / (2 - 2 * nu) * model.friction_coefficient) / M_PI;
+  return std::atan((1 - 2 * nu) / (2 - 2 * nu) * friction_law(model).slope(0)) / M_PI;
 }
 
 /// What a line's nodes tell of the largest pressure on it, over the largest of the nodes.

@@ -7,7 +7,6 @@
 #include "core/messages/message_text.hpp"
 #include "core/model/indenter_shape.hpp"
 #include "core/numerics/krylov.hpp"
-#include "core/scene/friction_law.hpp"
 
 namespace rollres {
 
@@ -30,6 +29,7 @@ constexpr double slip_weight = 1;
 
 FiniteContact::FiniteContact(const ContactModel& model, FlowingLayer& layer)
     : model_(model),
+      law_(friction_law(model)),
       layer_(layer),
       nodes_(static_cast<std::size_t>(layer.numbering().columns)),
       local_(layer.mesh().cells_along() + 1, 2 * layer.numbering().stride(), layer.numbering().stride(),
@@ -75,7 +75,6 @@ void FiniteContact::place_nodes(const FiniteState& state) {
 
 bool FiniteContact::choose_zones() {
   bool changed = false;
-  const FrictionLaw law{model_.friction_coefficient};
   for (std::size_t i = 1; i < nodes_.size(); ++i) {
     SurfaceNode& node = nodes_[i];
     Zone zone = Zone::free;
@@ -83,7 +82,7 @@ bool FiniteContact::choose_zones() {
       zone = Zone::slip;
       if (with_friction_) {
         const FrictionProjection shear =
-            law.project(std::max(node.normal, 0.0), node.shear + slip_weight * node.share * node.slip);
+            law_.project(std::max(node.normal, 0.0), node.shear + slip_weight * node.share * node.slip);
         if (!shear.slips())
           zone = Zone::stick;
         else {
@@ -162,8 +161,8 @@ Vector FiniteContact::residual() const {
       rows(shear(i)) = node.shear;
     else if (node.zone == Zone::stick)
       rows(shear(i)) = node.slip;
-    else
-      rows(shear(i)) = node.shear - node.direction * model_.friction_coefficient * node.normal;
+    else  // the bound, continued as a straight line to where an iterate pulls
+      rows(shear(i)) = node.shear - node.direction * law_.slope(node.normal) * node.normal;
   }
   rows(size()) = model_.load ? load() - *model_.load : approach_ - *model_.approach;
   if (with_friction_)
@@ -212,7 +211,7 @@ void FiniteContact::linearise() {
     } else {
       add(shear(i), shear(i), 1);
       if (with_friction_ && node.zone == Zone::slip)
-        add(shear(i), normal(i), -node.direction * model_.friction_coefficient);
+        add(shear(i), normal(i), -node.direction * law_.slope(node.normal));
     }
     if (model_.drive != Drive::rotation && loaded && with_friction_) linearise_drive(i);
   }
@@ -299,13 +298,12 @@ double FiniteContact::left(const Vector& missing) const {
 double FiniteContact::law_violation() const {
   const Vector missing = residual();
   double worst = left(missing), peak = 0;
-  const FrictionLaw law{with_friction_ ? model_.friction_coefficient : 0};
   for (const SurfaceNode& node : nodes_) peak = std::max(peak, node.normal / node.share);
   for (const SurfaceNode& node : nodes_) {
     const double force = peak * node.share;
     worst = std::max({worst, -node.normal / force, -node.gap * 2 * model_.radius});
     if (with_friction_ && node.zone == Zone::stick)
-      worst = std::max(worst, (std::abs(node.shear) - law.bound(node.normal)) / law.bound(force));
+      worst = std::max(worst, (std::abs(node.shear) - law_.bound(node.normal)) / law_.bound(force));
     if (with_friction_ && node.zone == Zone::slip)
       worst = std::max(worst, -node.direction * node.slip * model_.radius / 2);
   }

@@ -10,6 +10,7 @@
 
 #include "core/finite_strain/flowing_layer.hpp"
 #include "core/model/contact_model.hpp"
+#include "core/scene/friction_law.hpp"
 #include "core/scene/solution.hpp"
 
 namespace rollres {
@@ -98,6 +99,7 @@ class FiniteContact {
   double left(const Vector& missing) const;
 
   const ContactModel& model_;
+  FrictionLaw law_;
   FlowingLayer& layer_;
   bool with_friction_ = false;
   double approach_ = 0, rotation_ratio_ = 1;

@@ -115,8 +115,10 @@ Coefficients ElasticKernel::sphere(double x, double y) const {
     sum(vw) = -deep_.cross * corners([](double p, double q) { return integrated_cosine(q, p); });
   }
   sum /= 2 * M_PI * cell_x_ * cell_y_;
-  if (!radial_) return sum;
+  return radial_ ? Coefficients(sum + sphere_correction(x, y)) : sum;
+}
 
+Coefficients ElasticKernel::sphere_correction(double x, double y) const {
   Coefficients correction = Coefficients::Zero();
   constexpr std::size_t together = 4;
   const std::size_t points = nodes_x_.size() * nodes_y_.size();
@@ -147,7 +149,7 @@ Coefficients ElasticKernel::sphere(double x, double y) const {
       correction += weights[p] * value;
     }
   }
-  return sum + correction / scales_.length;
+  return correction / scales_.length;
 }
 
 Coefficients ElasticKernel::cylinder(double x) const {

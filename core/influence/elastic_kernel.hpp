@@ -69,6 +69,8 @@ class ElasticKernel {
 
  private:
   Coefficients sphere(double x, double y) const;
+  /// What the layer's base changes of a half-space's coefficients, by quadrature over the cell. @pre there is one
+  Coefficients sphere_correction(double x, double y) const;
   Coefficients cylinder(double x) const;
   Eigen::Array3d line_correction(double left, double right) const;
 

@@ -19,8 +19,8 @@ NaturalMaps natural_maps(const ContactProblem& problem, const InfluenceOperator&
     if (problem.lateral) maps.slip_y.resize(size);
   }
   const double scale = std::max(x.pressure.cwiseAbs().maxCoeff(), 1e-300);
-  // Shear is measured by mu p.
-  const double per_friction = 1 / std::min(1.0, std::max(problem.law.coefficient, 1e-300));
+  // Shear is measured by its bound.
+  const double per_friction = 1 / std::min(1.0, std::max(problem.law.slope(0), 1e-300));
   const auto count = [&](double residual) {
     const double relative = std::abs(residual) / scale;
     maps.largest = std::max(maps.largest, relative);
@@ -122,7 +122,7 @@ ActiveLaws choose_laws(const ContactProblem& problem, const InfluenceOperator& i
     if (contact[i]) laws.contact.push_back(static_cast<Eigen::Index>(i));
   const auto n = static_cast<Eigen::Index>(laws.contact.size());
   laws.zone.assign(laws.contact.size(), Zone::stick);
-  laws.direction_x = laws.direction_y = laws.beta = Vector::Zero(n);
+  laws.direction_x = laws.direction_y = laws.beta = laws.slope = Vector::Zero(n);
   if (!problem.friction || all_stick) return laws;
   const double per_slip = 1 / influence.self_slip();
   bool sticking = false;
@@ -139,6 +139,7 @@ ActiveLaws choose_laws(const ContactProblem& problem, const InfluenceOperator& i
     laws.direction_x(i) = projection.direction_x();
     laws.direction_y(i) = projection.direction_y();
     laws.beta(i) = projection.beta();
+    laws.slope(i) = problem.law.slope(x.pressure(node));
   }
   // Without any sticking node of a cylinder the drive could not determine the rotation; where slip has a component
   // along y, the rotation turns its direction.

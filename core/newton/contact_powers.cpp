@@ -136,9 +136,7 @@ ContactPowers contact_powers(const ContactProblem& problem, const Displacements&
   powers.unbalanced += (problem.shape.of_coating() - 1) * (turning - 1) * powers.coating.pressed;
   if (problem.friction) powers.by_law = friction_by_law(problem, moved, coating, unknowns, zone);
   if (load > 0) powers.sticking /= load;
-  powers.drawn = load > 0 && problem.friction
-                     ? std::min(1.0, std::abs(powers.drawn) / (problem.model.friction_coefficient * load))
-                     : 1;
+  powers.drawn = load > 0 && problem.friction ? std::min(1.0, std::abs(powers.drawn) / problem.law.bound(load)) : 1;
   powers.cells = std::sqrt(nodes / std::numbers::pi);
   powers.resultants = problem.resistance(unknowns.pressure, unknowns.shear_x, unknowns.rotation_ratio, powers.coating);
   powers.share = share_of_losses(powers.losses(), powers.halves);

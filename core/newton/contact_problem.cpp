@@ -9,7 +9,7 @@ ContactProblem::ContactProblem(const ContactModel& given, const SurfaceGrid& hal
     : model(given),
       grid(half_grid),
       shape(given, share_of_coating(given)),
-      law{given.friction_coefficient},
+      law(friction_law(given)),
       friction(given.friction_coefficient > 0),
       lateral(given.dimension == 3),
       drive_target(rollres::drive_target(given)) {

@@ -11,8 +11,7 @@ LawRows<Real>::LawRows(const ContactProblem& problem, const ActiveLaws& laws)
       components_(problem.components()),
       approach_unknown_(problem.load_given()),
       rotation_unknown_(problem.friction && !problem.rotation_given()),
-      force_scale_(problem.load.of_pressure.maxCoeff() * std::sqrt(static_cast<double>(laws.contact.size()))),
-      friction_(static_cast<Real>(problem.law.coefficient)) {
+      force_scale_(problem.load.of_pressure.maxCoeff() * std::sqrt(static_cast<double>(laws.contact.size()))) {
   border_ = (approach_unknown_ ? 1 : 0) + (rotation_unknown_ ? 1 : 0);
   const auto gathered = [&](const Vector& field, double factor) {
     VectorR values(contacts_);
@@ -35,6 +34,7 @@ LawRows<Real>::LawRows(const ContactProblem& problem, const ActiveLaws& laws)
   direction_x_ = laws.direction_x.cast<Real>();
   direction_y_ = laws.direction_y.cast<Real>();
   beta_ = laws.beta.cast<Real>();
+  slope_ = laws.slope.cast<Real>();
   for (Eigen::Index i = 0; i < contacts_; ++i) {
     const auto c = static_cast<std::size_t>(i);
     sticks_.push_back(laws.zone[c] == Zone::stick);
@@ -77,7 +77,7 @@ auto LawRows<Real>::operator()(const VectorR& x, const ScaledResponse<Real>& res
     Real row_x = -slip_x, row_y = -slip_y;
     if (!sticks(i))
       std::tie(row_x, row_y) =
-          slip_row(friction_, direction_x_(i), direction_y_(i), beta_(i), x(i), tx, ty, tx + slip_x, ty + slip_y);
+          slip_row(slope_(i), direction_x_(i), direction_y_(i), beta_(i), x(i), tx, ty, tx + slip_x, ty + slip_y);
     rows(n + i) = row_x;
     // On the axis of symmetry tau_y vanishes.
     if (components_ > 2) rows(2 * n + i) = on_axis(i) ? ty : row_y;

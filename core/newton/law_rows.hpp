@@ -22,8 +22,8 @@ struct TractionRow {
 struct ActiveLaws {
   std::vector<Eigen::Index> contact;  // nodes in contact
   std::vector<Zone> zone;             // of those nodes: stick or slip (stick if frictionless)
-  // At slipping nodes: direction of friction, and beta = mu p / |q| of the projection.
-  Vector direction_x, direction_y, beta;
+  // At slipping nodes: direction of friction, beta = mu p / |q| of the projection, and what the bound has of p, mu.
+  Vector direction_x, direction_y, beta, slope;
   TractionRow coating;  // what the drive's row has of a coating's M and N (N3b, N3e); empty without
 };
 
@@ -54,15 +54,14 @@ class LawRows {
   VectorR border_rows(const VectorR& x) const;
   bool on_axis(Eigen::Index contact) const { return on_axis_[static_cast<std::size_t>(contact)] != 0; }
   bool sticks(Eigen::Index contact) const { return sticks_[static_cast<std::size_t>(contact)] != 0; }
-  Real along_x(Eigen::Index contact) const { return friction_ * direction_x_(contact); }
-  Real along_y(Eigen::Index contact) const { return friction_ * direction_y_(contact); }
+  Real along_x(Eigen::Index contact) const { return slope_(contact) * direction_x_(contact); }
+  Real along_y(Eigen::Index contact) const { return slope_(contact) * direction_y_(contact); }
 
  private:
   Eigen::Index contacts_, components_, border_;
   bool approach_unknown_, rotation_unknown_;
   double force_scale_;
-  Real friction_;
-  VectorR direction_x_, direction_y_, beta_, turning_;
+  VectorR direction_x_, direction_y_, beta_, slope_, turning_;
   VectorR load_, load_shear_, drive_, drive_shear_, drive_shear_y_;  // over force_scale
   std::vector<char> sticks_, on_axis_;
 };

@@ -164,33 +164,20 @@ bool RotationPath::step_along_tangent(double amount, double reach) {
   return true;
 }
 
-bool RotationPath::pivot(double limit) {
-  const ActiveLaws old_laws = laws_at(here_.unknowns);
-  if (!tangent_) {
-    tangent_ = tangent(old_laws, here_.unknowns);
-    if (!tangent_) return false;
-    if (tangent_->rotation_ratio * direction_ < 0) tangent_ = sum(*tangent_, -2, *tangent_);
-  }
-  // First change of the laws along the tangent.
-  const auto at = [&](double amount) { return sum(here_.unknowns, amount, *tangent_); };
+std::optional<RotationPath::Change> RotationPath::first_change(const ActiveLaws& old_laws) const {
   constexpr double furthest = 1e8;
+  const auto laws_after = [&](double amount) { return laws_at(sum(here_.unknowns, amount, *tangent_)); };
   double low = 0, high = 1e-12;
   ActiveLaws new_laws;
   for (; high < furthest; high *= 4) {
-    new_laws = laws_at(at(high));
+    new_laws = laws_after(high);
     if (!same_laws(new_laws, old_laws)) break;
     low = high;
   }
-  const bool limit_ahead = (limit - ratio()) * direction_ > 0;
-  const auto go_to_limit = [&] {
-    std::optional<NewtonOutcome> found = solve_at(limit, at((limit - ratio()) / tangent_->rotation_ratio));
-    if (found) here_ = std::move(*found);
-    return found.has_value();
-  };
-  if (high >= furthest) return limit_ahead && go_to_limit();
+  if (high >= furthest) return {};
   for (int bisection = 0; bisection < 80 && high - low > 1e-15 * high; ++bisection) {
     const double middle = 0.5 * (low + high);
-    ActiveLaws laws = laws_at(at(middle));
+    ActiveLaws laws = laws_after(middle);
     if (same_laws(laws, old_laws)) {
       low = middle;
     } else {
@@ -198,22 +185,41 @@ bool RotationPath::pivot(double limit) {
       new_laws = std::move(laws);
     }
   }
-  ContactUnknowns kink = at(high);
+  return Change{high, std::move(new_laws)};
+}
+
+bool RotationPath::pivot(double limit) {
+  const ActiveLaws old_laws = laws_at(here_.unknowns);
+  if (!tangent_) {
+    tangent_ = tangent(old_laws, here_.unknowns);
+    if (!tangent_) return false;
+    if (tangent_->rotation_ratio * direction_ < 0) tangent_ = sum(*tangent_, -2, *tangent_);
+  }
+  const auto at = [&](double amount) { return sum(here_.unknowns, amount, *tangent_); };
+  const bool limit_ahead = (limit - ratio()) * direction_ > 0;
+  const auto go_to_limit = [&] {
+    std::optional<NewtonOutcome> found = solve_at(limit, at((limit - ratio()) / tangent_->rotation_ratio));
+    if (found) here_ = std::move(*found);
+    return found.has_value();
+  };
+  const std::optional<Change> change = first_change(old_laws);
+  if (!change) return limit_ahead && go_to_limit();
+  ContactUnknowns kink = at(change->amount);
   if (limit_ahead && (limit - kink.rotation_ratio) * direction_ <= 0 && go_to_limit()) return true;
-  clear_outside(kink, new_laws);
+  clear_outside(kink, change->laws);
   // Into the new laws, not back: by what becomes of the node that changed its law.
-  const auto changed = changed_laws(old_laws, new_laws, turning_.grid.size());
+  const auto changed = changed_laws(old_laws, change->laws, turning_.grid.size());
   const auto changes_at = [&](const ContactUnknowns& x) {
     const auto all = changed_laws(old_laws, laws_at(x), turning_.grid.size());
     return std::all_of(changed.begin(), changed.end(),
-                       [&](const auto& change) { return std::find(all.begin(), all.end(), change) != all.end(); });
+                       [&](const auto& one) { return std::find(all.begin(), all.end(), one) != all.end(); });
   };
-  if (const std::optional<ContactUnknowns> onward = tangent(new_laws, *tangent_))
+  if (const std::optional<ContactUnknowns> onward = tangent(change->laws, *tangent_))
     for (double amount = 1e-10; amount < 0.1; amount *= 10)
       for (const int sign : {1, -1}) {
         const ContactUnknowns further = sum(kink, sign * amount, *onward);
         if (!changes_at(further) || changes_at(sum(kink, -sign * amount, *onward))) continue;
-        std::optional<NewtonOutcome> found = correct(further, 2 * std::max(high, amount));
+        std::optional<NewtonOutcome> found = correct(further, 2 * std::max(change->amount, amount));
         if (!found) continue;
         here_ = std::move(*found);
         tangent_ = sign > 0 ? *onward : sum(*onward, -2, *onward);
@@ -222,10 +228,10 @@ bool RotationPath::pivot(double limit) {
         return true;
       }
   // A sphere's path is curved: the kink may lie elsewhere, but nearer to it the tangent knows better.
-  if (!turning_.lateral || high < 1e-9) return false;
+  if (!turning_.lateral || change->amount < 1e-9) return false;
   for (const double reach : {0.5, 1.0})
     for (const double share : {0.9, 0.5, 0.1, 0.02})
-      if (step_along_tangent(share * high, reach)) return true;
+      if (step_along_tangent(share * change->amount, reach)) return true;
   return false;
 }
 

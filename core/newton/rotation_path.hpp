@@ -45,6 +45,12 @@ class RotationPath {
  private:
   bool step(double limit);
   bool pivot(double limit);
+  struct Change {
+    double amount;  // along the tangent
+    ActiveLaws laws;
+  };
+  /// Where the laws first change along the tangent, and into which; nothing where they never do.
+  std::optional<Change> first_change(const ActiveLaws& old_laws) const;
   /// Moves part of the way to the kink; not further off the tangent than `reach` times that.
   bool step_along_tangent(double amount, double reach);
   /// The solution near a predicted one, as far along the tangent; no other branch within `reach` of the largest

@@ -63,6 +63,33 @@ class MomentsOfCoating {
   std::vector<OffsetKernel> heights_, slopes_;  // of w for each force
 };
 
+/// What keeps a normal contact from being an answer; empty where nothing does.
+std::string fault_of(const ContactModel& model, const SurfaceGrid& grid, const NormalContact& normal, bool at_border) {
+  if (!normal.converged) return normal.reason;
+  if (at_border) return "the contact reached the border of the grid";
+  return touches_rim(model, grid, normal.contact) ? "the contact is as wide as the body" : "";
+}
+
+std::string unsettled(int passes, double change, bool same_zones) {
+  std::ostringstream text;
+  text << "normal and tangential problem did not settle in " << passes << " passes: forces still change by " << change
+       << " of the largest, zones " << (same_zones ? "stay" : "change");
+  return text.str();
+}
+
+/// Tractions, zones and motion of a state from the forces of both problems.
+void take_forces(const NormalContact& normal, const StickSlip& tangential, bool frictionless, ContactState& state) {
+  state.approach = normal.approach;
+  state.rotation_ratio = frictionless ? std::numeric_limits<double>::quiet_NaN() : tangential.rotation_ratio;
+  const double area = state.grid.cell_area();
+  state.pressure = -normal.force / area;
+  state.shear_x = tangential.force_x / area;
+  if (tangential.force_y.size() > 0) state.shear_y = tangential.force_y / area;
+  state.zone.assign(state.grid.size(), Zone::free);
+  for (const int node : normal.contact)
+    state.zone[node] = frictionless || tangential.zone.empty() ? Zone::slip : tangential.zone[node];
+}
+
 template <class StickSlipSolver>
 ContactState combined_loop(const ContactModel& model, const InfluenceTable& table, const SurfaceGrid& grid) {
   const bool frictionless = model.friction_coefficient == 0, lateral = model.dimension == 3;
@@ -88,12 +115,8 @@ ContactState combined_loop(const ContactModel& model, const InfluenceTable& tabl
     bool same = next.contact == normal.contact;
     normal = std::move(next);
     state.reached_border = touches_border(grid, normal.contact);
-    if (!normal.converged || state.reached_border || touches_rim(model, grid, normal.contact)) {
-      state.reason = !normal.converged      ? normal.reason
-                     : state.reached_border ? "the contact reached the border of the grid"
-                                            : "the contact is as wide as the body";
-      break;
-    }
+    state.reason = fault_of(model, grid, normal, state.reached_border);
+    if (!state.reason.empty()) break;
     if (frictionless) {
       state.status = Status::converged;
       break;
@@ -120,22 +143,11 @@ ContactState combined_loop(const ContactModel& model, const InfluenceTable& tabl
       break;
     }
     if (pass == pass_limit) {
-      std::ostringstream text;
-      text << "normal and tangential problem did not settle in " << pass << " passes: forces still change by "
-           << change / largest << " of the largest, zones " << (same ? "stay" : "change");
-      state.reason = text.str();
+      state.reason = unsettled(pass, change / largest, same);
       break;
     }
   }
-  state.approach = normal.approach;
-  state.rotation_ratio = frictionless ? std::numeric_limits<double>::quiet_NaN() : tangential.rotation_ratio;
-  const double area = grid.cell_area();
-  state.pressure = -normal.force / area;
-  state.shear_x = tangential.force_x / area;
-  if (lateral) state.shear_y = tangential.force_y / area;
-  state.zone.assign(grid.size(), Zone::free);
-  for (const int node : normal.contact)
-    state.zone[node] = frictionless || tangential.zone.empty() ? Zone::slip : tangential.zone[node];
+  take_forces(normal, tangential, frictionless, state);
   return state;
 }
 

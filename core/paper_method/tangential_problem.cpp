@@ -10,7 +10,7 @@ namespace rollres {
 TangentialProblem::TangentialProblem(const ContactModel& model, const InfluenceTable& table, const SurfaceGrid& on_grid)
     : components(model.dimension - 1),
       grid(on_grid),
-      law{model.friction_coefficient},
+      law(friction_law(model)),
       slip_threshold(model.slip_threshold),
       drive_target_(drive_target(model)) {
   const IndenterShape shape(model, share_of_coating(model));

@@ -41,8 +41,16 @@ struct FrictionLaw {
   double coefficient = 0;  // mu [1]
 
   double bound(double pressure) const { return coefficient * std::abs(pressure); }
+  /// Of the bound by the pressure, under pressure [1]; largest at p = 0, so that no shear passes slope(0) p.
+  double slope(double /*pressure*/) const { return coefficient; }
   FrictionProjection project(double pressure, double q_x, double q_y = 0) const { return {bound(pressure), q_x, q_y}; }
 };
+
+/// The law of a scene, or of the model that is solved of it.
+template <class Model>
+FrictionLaw friction_law(const Model& model) {
+  return {model.friction_coefficient};
+}
 
 /// Whether shear exceeds its bound by more than rounding does.
 inline bool exceeds(double bound, double shear_x, double shear_y = 0) {
@@ -51,9 +59,9 @@ inline bool exceeds(double bound, double shear_x, double shear_y = 0) {
 
 /// dtau - dProj(q) in the branch of slip (C3), both components.
 template <class Real>
-std::pair<Real, Real> slip_row(Real coefficient, Real n_x, Real n_y, Real beta, Real change_of_pressure, Real tau_x,
+std::pair<Real, Real> slip_row(Real slope, Real n_x, Real n_y, Real beta, Real change_of_pressure, Real tau_x,
                                Real tau_y, Real q_x, Real q_y) {
-  const Real bound = coefficient * change_of_pressure, along = n_x * q_x + n_y * q_y;
+  const Real bound = slope * change_of_pressure, along = n_x * q_x + n_y * q_y;
   return {tau_x - n_x * bound - beta * (q_x - n_x * along), tau_y - n_y * bound - beta * (q_y - n_y * along)};
 }
 

@@ -7,6 +7,7 @@
 #include "core/model/indenter_shape.hpp"
 #include "core/newton/friction_limit.hpp"
 #include "core/newton/grid_series.hpp"
+#include "core/scene/friction_law.hpp"
 
 namespace rollres {
 
@@ -19,7 +20,7 @@ double largest_torque(const ContactModel& model) {
   if (!model.load || model.adhesion_threshold > 0 || !model.coating.empty()) return INFINITY;
   const IndenterShape shape(model);
   const double radius = model.radius, farthest = widest_window(model), lowest = shape.height(farthest),
-               friction = model.friction_coefficient, load = *model.load;
+               friction = friction_law(model).slope(0), load = *model.load;
   if (model.kinematics == Kinematics::consistent) return friction * load * radius * radius / lowest;
   if (model.dimension == 3) return (farthest + friction * radius) * load;
   const double carried = lowest - friction * farthest;
@@ -41,7 +42,8 @@ double torque_of_sliding(const ContactModel& model) {
 }  // namespace
 
 std::string unbearable_torque(const ContactModel& model) {
-  if (model.drive != Drive::torque || model.friction_coefficient == 0) return {};
+  const double friction = friction_law(model).slope(0);
+  if (model.drive != Drive::torque || friction == 0) return {};
   const double asked = std::abs(*model.driving_torque), most = largest_torque(model);
   const char* const unit = model.told_per_metre() ? " N m/m" : " N m";
   const auto refused = [&](const auto&... gives) {
@@ -49,11 +51,11 @@ std::string unbearable_torque(const ContactModel& model) {
                         gives...);
   };
   if (asked > most)
-    return refused(model.friction_coefficient, " times the load gives at most ", model.told(most), unit,
+    return refused(friction, " times the load gives at most ", model.told(most), unit,
                    " wherever the body touches within 0.98 R");
   // The bound of printed kinematics is weak: a cylinder's friction may carry the load at the edge of the body.
   if (model.kinematics != Kinematics::printed || model.dimension == 3 || !model.load || model.adhesion_threshold > 0 ||
-      asked <= beyond_doubt * model.friction_coefficient * *model.load * model.radius)
+      asked <= beyond_doubt * friction * *model.load * model.radius)
     return {};
   const double sliding = torque_of_sliding(model);
   if (asked <= beyond_doubt * sliding) return {};

@@ -96,6 +96,23 @@ std::vector<double> frequencies_for(const std::vector<double>& times, double off
   return frequencies;
 }
 
+/// 1/(1 + i omega t) of all retardation times at all frequencies and, in the last two rows, of the glassy state: real
+/// and imaginary parts below each other, each times the weight of its frequency.
+Eigen::MatrixXd weighted_system(const std::vector<double>& frequencies, const std::vector<double>& times,
+                                const Eigen::VectorXd& weights) {
+  const auto rows = weights.size(), columns = static_cast<Index>(times.size());
+  Eigen::MatrixXd system(2 * rows, columns);
+  for (Index i = 0; i < rows; ++i)
+    for (Index m = 0; m < columns; ++m) {
+      const double time = times[static_cast<std::size_t>(m)];
+      const complex value =
+          i + 1 == rows ? (m == 0 ? 1.0 : 0.0) : 1.0 / complex(1, frequencies[static_cast<std::size_t>(i)] * time);
+      system(2 * i, m) = weights(i) * value.real();
+      system(2 * i + 1, m) = weights(i) * value.imag();
+    }
+  return system;
+}
+
 }  // namespace
 
 MediumExpansion::MediumExpansion(const LayeredMedium& medium, double wave_speed, double per_decade) {
@@ -138,21 +155,11 @@ void MediumExpansion::fit(const LayeredMedium& medium, double wave_speed, const 
   const auto rows = static_cast<Index>(moduli.size()), columns = static_cast<Index>(times.size());
   require_memory(6 * 16.0 * static_cast<double>(rows) * static_cast<double>(columns),
                  message_text("the layers' response with ", columns, " retardation times"));
-  Eigen::MatrixXd system(2 * rows, columns);
-  Eigen::VectorXd weights(rows);
-  for (Index i = 0; i < rows; ++i) {
-    weights(i) = INFINITY;
+  Eigen::VectorXd weights = Eigen::VectorXd::Constant(rows, INFINITY);
+  for (Index i = 0; i < rows; ++i)
     for (const complex& modulus : moduli[static_cast<std::size_t>(i)])
       weights(i) = std::min(weights(i), std::abs(modulus));
-    for (Index m = 0; m < columns; ++m) {
-      const double time = times[static_cast<std::size_t>(m)];
-      const complex value =
-          i + 1 == rows ? (m == 0 ? 1.0 : 0.0) : 1.0 / complex(1, frequencies[static_cast<std::size_t>(i)] * time);
-      system(2 * i, m) = weights(i) * value.real();
-      system(2 * i + 1, m) = weights(i) * value.imag();
-    }
-  }
-  const Eigen::MatrixXd inverse = pseudo_inverse(system, 1e-12);
+  const Eigen::MatrixXd inverse = pseudo_inverse(weighted_system(frequencies, times, weights), 1e-12);
   const auto fitted = [&](const auto& symbols_at) {
     Eigen::MatrixX4d values(2 * rows, 4);
     for (Index i = 0; i < rows; ++i) {

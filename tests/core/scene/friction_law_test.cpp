@@ -26,7 +26,7 @@ TEST_CASE("the linearised law of slip is the derivative of the projection", "[co
     const FrictionProjection ahead = law.project(pressure + step * p, q_x + step * x, q_y + step * y);
     const FrictionProjection behind = law.project(pressure - step * p, q_x - step * x, q_y - step * y);
     const auto [row_x, row_y] =
-        slip_row(law.coefficient, at.direction_x(), at.direction_y(), at.beta(), p, 0.0, 0.0, x, y);
+        slip_row(law.slope(pressure), at.direction_x(), at.direction_y(), at.beta(), p, 0.0, 0.0, x, y);
     // Central differences: their error is of the order of step^2.
     CHECK(-row_x == Approx((ahead.x() - behind.x()) / (2 * step)).margin(1e-9));
     CHECK(-row_y == Approx((ahead.y() - behind.y()) / (2 * step)).margin(1e-9));
