@@ -88,8 +88,22 @@ TEST_CASE("between the rows of a measured table nothing overshoots", "[core][mat
     CHECK(factor >= low * (1 - 1e-12));
     CHECK(factor <= high * (1 + 1e-12));
   }
-  CHECK_THROWS(table_factor(temperatures, factors, 279.9));
-  CHECK_THROWS(table_factor(temperatures, factors, 340.1));
+}
+
+TEST_CASE("a table of shifts reaches half a step beyond its last rows, 1 K at most, along the slope at its end",
+          "[core][material]") {
+  const TemperatureShift law{.law = ShiftLaw::vft, .reference = at_reference, .vft_b = 2000, .vft_temperature = 190};
+  const std::vector<double> temperatures{353.15, 350.15, 347.15, 240.4, 240};  // steps of 3 K and of 0.4 K at the ends
+  std::vector<double> factors;
+  for (const double temperature : temperatures) factors.push_back(shift_factor(law, temperature));
+  // The line misses the law by (ln a)"/2 = B/(T - T1)^3 over 1 K^2: 5e-4 of a at 353 K, and 0.04 of that of 0.016 at
+  // 240 K.
+  CHECK(table_factor(temperatures, factors, 353.166) == Approx(shift_factor(law, 353.166)).epsilon(1e-6));
+  CHECK(table_factor(temperatures, factors, 354.15) == Approx(shift_factor(law, 354.15)).epsilon(6e-4));
+  CHECK(table_factor(temperatures, factors, 239.8) == Approx(shift_factor(law, 239.8)).epsilon(7e-4));
+  CHECK(table_factor(temperatures, factors, 354.15) < table_factor(temperatures, factors, 353.15));
+  CHECK_THROWS(table_factor(temperatures, factors, 354.2));
+  CHECK_THROWS(table_factor(temperatures, factors, 239.7));
 }
 
 TEST_CASE("b_T of a table divides moduli, a_T shifts frequencies: b_T G*(omega, T) = G*(a_T omega, T0)",

@@ -331,7 +331,7 @@ TEST_CASE("a scene reads a table of shifts, in either column, and refuses a temp
   CHECK(plain.shift_temperatures == std::vector<double>{273.15, 293.15, 313.15});
   CHECK(plain.modulus_shifts == std::vector<double>{1.07, 1, 0.94});
   CHECK(read("temperature [K],log10_a_T\n273.15,2\n293.15,0\n", "0 degC").shift_factors == std::vector<double>{100, 1});
-  CHECK_THAT(message_of([&] { read("temperature [K],log10_a_T\n273.15,2\n293.15,0\n", "-1 degC"); }),
+  CHECK_THAT(message_of([&] { read("temperature [K],log10_a_T\n273.15,2\n293.15,0\n", "-1.1 degC"); }),
              Catch::Contains("must be within shift_temperatures, 273.15 to 293.15 K"));
   CHECK_THAT(message_of([&] { read("temperature [K]\n273.15\n", "0 degC"); }), Catch::Contains("has no column a_T"));
   CHECK_THAT(message_of([&] { read("temperature [K],a_T\n273.15,-1\n", "0 degC"); }),
