@@ -10,6 +10,7 @@
 
 #include "core/material/material_scale.hpp"
 #include "core/material/prony_series.hpp"
+#include "core/material/strain_softening.hpp"
 #include "core/messages/message_text.hpp"
 #include "core/model/contact_surface.hpp"
 #include "core/scene/scene_input.hpp"
@@ -181,7 +182,7 @@ void check_thicknesses(const RollingScene& scene, BrokenRules& broken) {
 void check_alternatives(const RollingScene& scene, BrokenRules& broken) {
   if (scene.load && scene.approach) broken.add("approach", *scene.approach, "give load or approach, not both");
   if (!scene.load && !scene.approach) broken.add_missing("load", "give load or approach");
-  if (scene.width && scene.indenter == Indenter::sphere)
+  if (scene.width && dimension_of(scene.indenter) == 3)
     broken.add("width", *scene.width, "only for a cylinder: loads and forces of a sphere are those of the whole body");
   if (scene.spacing && scene.tolerance)
     broken.add("tolerance", *scene.tolerance, "give spacing or tolerance, not both");
