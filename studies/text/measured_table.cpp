@@ -228,15 +228,17 @@ MeasuredTable read_measured_table(const std::filesystem::path& file) {
   std::optional<char> separator;
   std::size_t nameless = 0;
   int number = 0;
+  std::string names;
   for (std::string line; std::getline(lines, line);) {
     const std::string place = line_place(table.file, ++number);
     if (line.find('\0') != std::string::npos) fail(place, "has a NUL character");
     const std::string content(trimmed(line));
-    if (content.empty() || content.front() == '#') continue;
+    if (content.empty() || content.front() == '#' || content == names) continue;        // names again: of another block
     if (table.columns.empty() && content.starts_with("sep=") && content.size() == 5) {  // for spreadsheets
       separator = content.back();
     } else if (table.columns.empty()) {
       if (!separator) separator = separator_of(line);
+      names = content;
       nameless = take_names(table, cells_of(line, *separator, place), place);
     } else {
       take_row(table, cells_of(line, *separator, place), nameless, number);

@@ -4,7 +4,8 @@
 /// Names and units may stand as instruments write them (table_heading.hpp), units also in a line of their own below the
 /// names. Tabs, semicolons or commas separate cells, the first of these that the line of names has, or what a line
 /// "sep=;" says; numbers have decimal points, or all of them commas. Double quotes may enclose a cell, empty lines and
-/// lines that begin with # are left out. Texts are UTF-8, or as spreadsheets of Windows write them.
+/// lines that begin with # are left out, as are the names where they are repeated above a further block. Texts are
+/// UTF-8, or as spreadsheets of Windows write them.
 
 #include <filesystem>
 #include <functional>

@@ -14,7 +14,7 @@ namespace rollres {
 namespace {
 
 /// Names that have letters of both cases, and what instruments call others, in small letters.
-constexpr std::array<std::pair<std::string_view, std::string_view>, 25> usual_headings{
+constexpr std::array<std::pair<std::string_view, std::string_view>, 30> usual_headings{
     {{"a_t", "a_T"},
      {"at", "a_T"},
      {"b_t", "b_T"},
@@ -28,7 +28,12 @@ constexpr std::array<std::pair<std::string_view, std::string_view>, 25> usual_he
      {"log10(a_t)", "log10_a_T"},
      {"freq", "frequency"},
      {"f", "frequency"},
+     {"freq.", "frequency"},
      {"angular_freq", "angular_frequency"},
+     {"angular_freq.", "angular_frequency"},
+     {"ang._freq.", "angular_frequency"},
+     {"ang._frequency", "angular_frequency"},
+     {"temp.", "temperature"},
      {"omega", "angular_frequency"},
      {"ω", "angular_frequency"},
      {"temp", "temperature"},
@@ -122,6 +127,10 @@ TableHeading table_heading(std::string_view text) {
   const std::string name(trimmed(text.substr(0, place.name_end)));
   if (name.empty()) throw std::invalid_argument('"' + shortened(std::string(text)) + "\": a column has no name");
   TableHeading heading{as_key(name), plain_unit(trimmed(text.substr(place.begin, place.end - place.begin))), {}};
+  constexpr std::array<std::string_view, 5> of_temperature{"K", "degC", "°C", "°F", "degF"};
+  if (heading.name == "t" &&
+      std::find(of_temperature.begin(), of_temperature.end(), heading.unit) != of_temperature.end())
+    heading.name = "temperature";  // else a time
   if (heading.name != name) heading.written = name;
   return heading;
 }

@@ -58,3 +58,15 @@ TEST_CASE("what a table cannot mean is refused in one message", "[studies][text]
         "dma.csv, line 2: E': the first line must name a unit of stress (Pa)");
   CHECK_THAT(curve_of(std::string("\xFF\xFE", 2) + "f"), Contains("UTF-16"));
 }
+
+TEST_CASE("blocks under the same names are one table, other names below it are refused", "[studies][text]") {
+  const TemporaryDirectory directory;
+  const auto rows = [&](const std::string& between) {
+    return read_measured_table(directory.write("t.csv", "f [Hz],G' [Pa]\n1,2\n" + between + "\n3,4\n")).rows();
+  };
+  CHECK(rows("\nf [Hz],G' [Pa]") == 2);
+  CHECK(rows("f [Hz],G'' [Pa]") == 3);
+  const MeasuredTable table = read_measured_table(directory / "t.csv");
+  CHECK_THAT(message_of([&] { measured_number(table, table.columns[0], 1, "Hz"); }),
+             Catch::Contains("must be a finite number"));
+}
