@@ -1,4 +1,4 @@
-#include "studies/scene_io/material_export.hpp"
+#include "studies/figures/material_export.hpp"
 
 #include <algorithm>
 #include <numbers>

@@ -24,7 +24,7 @@
 #include <string>
 #include <string_view>
 
-#include "core/scene.hpp"
+#include "core/scene/scene.hpp"
 
 namespace rollres {
 

@@ -1,4 +1,4 @@
-#include "studies/fit/free_shift_files.hpp"
+#include "studies/stored_fits/free_shift_files.hpp"
 
 #include <algorithm>
 #include <cmath>

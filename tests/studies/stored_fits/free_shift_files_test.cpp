@@ -1,7 +1,8 @@
-#include "studies/fit/free_shift_files.hpp"
+#include "studies/stored_fits/free_shift_files.hpp"
 
 #include <cmath>
 
+#include "core/messages/message_text.hpp"
 #include "tests/catch.hpp"
 #include "tests/plain_scene.hpp"
 #include "tests/studies/program.hpp"
