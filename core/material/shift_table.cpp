@@ -42,16 +42,16 @@ double slope_at(const std::vector<Row>& rows, std::size_t i) {
 
 double table_factor(const std::vector<double>& temperatures, const std::vector<double>& factors, double temperature) {
   require(temperatures.size() > 1, "temperature", temperature, "needs a table of two shifts or more");
-  const auto [lowest, highest] = reach_of_shifts(temperatures);
-  require(temperature >= lowest && temperature <= highest, "temperature", temperature,
-          "must be within the table of shifts");
   std::vector<Row> rows;
   for (std::size_t i = 0; i < temperatures.size(); ++i) rows.emplace_back(temperatures[i], std::log(factors[i]));
   std::sort(rows.begin(), rows.end());
+  const std::size_t last = rows.size() - 1;
+  const auto [lowest, highest] = reach_of_shifts(rows[0].first, rows[1].first, rows[last - 1].first, rows[last].first);
+  require(temperature >= lowest && temperature <= highest, "temperature", temperature,
+          "must be within the table of shifts");
   const double here = std::clamp(temperature, rows.front().first, rows.back().first);
-  if (here != temperature)
-    return std::exp((here == rows.front().first ? rows.front().second : rows.back().second) +
-                    slope_at(rows, here == rows.front().first ? 0 : rows.size() - 1) * (temperature - here));
+  if (const std::size_t end = temperature < here ? 0 : last; here != temperature)
+    return std::exp(rows[end].second + slope_at(rows, end) * (temperature - here));
   const auto above = std::lower_bound(rows.begin() + 1, rows.end() - 1, here,
                                       [](const Row& row, double value) { return row.first < value; });
   const auto i = static_cast<std::size_t>(above - rows.begin()) - 1;

@@ -101,7 +101,8 @@ void check_shift_table(const MaterialInputs& layer, Lines& lines) {
   std::sort(sorted.begin(), sorted.end());
   if (const auto twice = std::adjacent_find(sorted.begin(), sorted.end()); twice != sorted.end())
     lines.push_back(broken("shift_temperatures", *twice, "given twice"));
-  const auto [lowest, highest] = reach_of_shifts(temperatures);
+  const std::size_t last = rows - 1, second = std::min<std::size_t>(1, last), before_last = last - second;
+  const auto [lowest, highest] = reach_of_shifts(sorted[0], sorted[second], sorted[before_last], sorted[last]);
   for (const auto& [key, value] :
        {std::pair("temperature", layer.temperature), std::pair("reference_temperature", layer.reference_temperature)}) {
     if (!layer.temperature || !value) continue;

@@ -9,6 +9,7 @@
 
 #include "core/messages/message_text.hpp"
 #include "fitting/material/even_series.hpp"
+#include "fitting/material/material_problem.hpp"
 #include "fitting/material/series_fit.hpp"
 #include "fitting/material/shift_fit.hpp"
 
@@ -17,8 +18,6 @@ namespace rollres {
 namespace {
 
 constexpr double not_known = std::numeric_limits<double>::quiet_NaN();
-
-double celsius_of(double temperature) { return temperature - 273.15; }
 
 /// A curve y(x) of rising x, by lines between its points.
 struct Curve {
@@ -45,18 +44,11 @@ Curve curve_of(std::vector<std::pair<double, double>> points) {
   return curve;
 }
 
-std::size_t step_of(const std::vector<double>& temperatures, double temperature) {
-  const auto nearest = std::min_element(temperatures.begin(), temperatures.end(), [&](double a, double b) {
-    return std::abs(a - temperature) < std::abs(b - temperature);
-  });
-  return static_cast<std::size_t>(nearest - temperatures.begin());
-}
-
 /// The rows at each temperature.
 std::vector<std::vector<MeasuredModulus>> rows_at(const std::vector<MeasuredModulus>& data,
                                                   const std::vector<double>& temperatures) {
   std::vector<std::vector<MeasuredModulus>> rows(temperatures.size());
-  for (const MeasuredModulus& row : data) rows[step_of(temperatures, row.temperature)].push_back(row);
+  for (const MeasuredModulus& row : data) rows[nearest_step(temperatures, row.temperature)].push_back(row);
   return rows;
 }
 
@@ -114,7 +106,7 @@ TemperatureShift joined(const std::vector<MeasuredModulus>& data, TemperatureShi
   std::vector<double> logarithms{0};
   for (std::size_t i = 1; i < rows.size(); ++i)
     logarithms.push_back(logarithms.back() + joining_shift(rows[i - 1], rows[i]));
-  const double reference = logarithms[step_of(temperatures, shift.reference)];
+  const double reference = logarithms[nearest_step(temperatures, shift.reference)];
   for (std::size_t i = 0; i < rows.size(); ++i) shift.table.factors[i] = std::pow(10, logarithms[i] - reference);
   return shift;
 }

@@ -19,17 +19,14 @@ constexpr Quantity vft_b{"vft_b", "B", "K", "of VFT's law", positive};
 constexpr Quantity vft_temperature{"vft_temperature", "T∞", "K", "of VFT's law", positive};
 constexpr Quantity log_shift{"log10_a_T", "log a_T", "1", "shift of one temperature", any_number};
 
-std::size_t nearest_to_reference(const TemperatureShift& shift) {
-  const std::vector<double>& all = shift.table.temperatures;
-  return static_cast<std::size_t>(std::min_element(all.begin(), all.end(),
-                                                   [&](double a, double b) {
-                                                     return std::abs(a - shift.reference) <
-                                                            std::abs(b - shift.reference);
-                                                   }) -
-                                  all.begin());
-}
-
 }  // namespace
+
+std::size_t nearest_step(const std::vector<double>& temperatures, double temperature) {
+  const auto nearest = std::min_element(temperatures.begin(), temperatures.end(), [&](double a, double b) {
+    return std::abs(a - temperature) < std::abs(b - temperature);
+  });
+  return static_cast<std::size_t>(nearest - temperatures.begin());
+}
 
 FitParameter parameter(const Quantity& quantity, double start, std::string name) {
   const double lowest =
@@ -44,10 +41,11 @@ FitParameter parameter(const Quantity& quantity, double start, std::string name)
 std::vector<FitParameter> shift_parameters(const TemperatureShift& shift, bool free) {
   if (free) {
     constexpr double farthest = 100;  // decades
+    const std::size_t reference = nearest_step(shift.table.temperatures, shift.reference);
     std::vector<FitParameter> parameters;
     for (std::size_t i = 0; i < shift.table.temperatures.size(); ++i)
-      if (i != nearest_to_reference(shift))
-        parameters.push_back({message_text<4>("log10_a_T (", shift.table.temperatures[i] - 273.15, " degC)"),
+      if (i != reference)
+        parameters.push_back({message_text<4>("log10_a_T (", celsius_of(shift.table.temperatures[i]), " degC)"),
                               {log_shift, -farthest, farthest, Scaling::linear, 1},
                               std::log10(shift.table.factors[i])});
     return parameters;
@@ -66,9 +64,10 @@ std::vector<FitParameter> shift_parameters(const TemperatureShift& shift, bool f
 TemperatureShift shift_at(TemperatureShift shift, const FitPoint& point, bool free) {
   const std::size_t n = point.size();
   if (free) {
+    const std::size_t reference = nearest_step(shift.table.temperatures, shift.reference);
     std::size_t next = n + 1 - shift.table.factors.size();
     for (std::size_t i = 0; i < shift.table.factors.size(); ++i)
-      shift.table.factors[i] = i == nearest_to_reference(shift) ? 1 : std::pow(10, point[next++]);
+      shift.table.factors[i] = i == reference ? 1 : std::pow(10, point[next++]);
     return shift;
   }
   if (shift.law == ShiftLaw::wlf) shift.c1 = point[n - 2], shift.c2 = point[n - 1];

@@ -395,11 +395,9 @@ std::string fixed_in_words(const std::vector<Filter>& filters, const StudyRows& 
                                                   "approach", "friction_coefficient", "rotation_ratio", "temperature"};
   std::string text;
   const auto add = [&](const std::string& name, const QuantityColumn& column) {
-    const auto value = rows.common(column);
-    if (value)
+    if (const auto value = rows.common(column))
       text +=
           (text.empty() ? "" : ", ") + name + " = " + value_in_words(column.quantity, *value, unit_in(rows, column));
-    return value.has_value();
   };
   for (const std::string_view key : shown) {
     const QuantityColumn* const column = find_quantity_column(key);

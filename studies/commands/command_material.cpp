@@ -148,12 +148,14 @@ void run_material(const MaterialArguments& arguments, Session& session) {
   }
   const CreepSpectrum& creep = *found;
   const bool exports = std::count(material_export_formats.begin(), material_export_formats.end(), arguments.format) > 0;
-  if (exports) session.out << exported_material(scene, arguments.format);
   if (arguments.format == "table") {
     print_words(session.out, scene, creep);
     session.out << '\n';
   }
-  if (!exports) write_table(session.out, moduli_table(creep, arguments.per_decade), arguments.format);
+  if (exports)
+    session.out << exported_material(scene, arguments.format);
+  else
+    write_table(session.out, moduli_table(creep, arguments.per_decade), arguments.format);
   if (arguments.chart.empty()) return;
   for (const auto& file : draw_material(scene, arguments.chart)) session.err << "drawn " << file.string() << '\n';
 }

@@ -19,12 +19,17 @@ struct ExportedShift {
 
 struct ExportedSeries {
   PronySeries series;  ///< in shear
-  double at_once = 0;  ///< G'(infinity) [Pa]
   std::optional<ExportedShift> shift = {};
   std::string remark = {};
   double poisson_ratio = 0.5;
 
-  double young() const { return 2 * (1 + poisson_ratio) * at_once; }
+  /// G'(infinity) [Pa]
+  double at_once() const {
+    double sum = series.static_modulus;
+    for (const PronySeries::Term& term : series.terms) sum += term.modulus;
+    return sum;
+  }
+  double young() const { return 2 * (1 + poisson_ratio) * at_once(); }
 };
 
 std::optional<ExportedShift> written_shift(const MaterialInputs& layer) {
@@ -34,6 +39,15 @@ std::optional<ExportedShift> written_shift(const MaterialInputs& layer) {
   if (!layer.vft_b) return std::nullopt;
   const double c2 = reference - *layer.vft_temperature;
   return ExportedShift{reference, *layer.vft_b / (c2 * std::numbers::ln10), c2};
+}
+
+/// The material's series in shear, at its temperature.
+PronySeries series_of(const MaterialInputs& layer) {
+  const CreepSpectrum creep = creep_spectrum(layer);
+  PronySeries series{1 / creep.at_rest(), {}};
+  for (const RelaxationSpectrum::Term& term : relaxation_spectrum(creep).terms)
+    series.terms.push_back({term.modulus, term.time});
+  return ordered(series);
 }
 
 ExportedSeries exported_series(const RollingScene& scene) {
@@ -48,13 +62,7 @@ ExportedSeries exported_series(const RollingScene& scene) {
     remark << "at " << *layer.temperature << " K: of laws of shift only WLF and VFT are written, without b_T";
   exported.remark = remark.str();
   if (exported.shift) layer.temperature.reset();
-  const CreepSpectrum creep = creep_spectrum(layer);
-  const RelaxationSpectrum relaxation = relaxation_spectrum(creep);
-  exported.at_once = relaxation.instantaneous;
-  for (const RelaxationSpectrum::Term& term : relaxation.terms)
-    exported.series.terms.push_back({term.modulus, term.time});
-  exported.series.static_modulus = 1 / creep.at_rest();
-  exported.series = ordered(exported.series);
+  exported.series = series_of(layer);
   exported.poisson_ratio = std::min(layer.poisson_ratio, nearly_incompressible);
   return exported;
 }
@@ -70,7 +78,7 @@ void write_abaqus(std::ostream& out, const ExportedSeries& exported) {
       << exported.young() << ", " << exported.poisson_ratio << '\n';
   if (!exported.series.terms.empty()) out << "*VISCOELASTIC, TIME=PRONY\n";
   for (const PronySeries::Term& term : exported.series.terms)
-    out << term.modulus / exported.at_once << ", " << term.modulus / exported.at_once << ", " << term.time << '\n';
+    out << term.modulus / exported.at_once() << ", " << term.modulus / exported.at_once() << ", " << term.time << '\n';
   if (const auto& shift = exported.shift)
     out << "*TRS, DEFINITION=WLF\n" << shift->reference << ", " << shift->c1 << ", " << shift->c2 << '\n';
 }
@@ -82,7 +90,7 @@ void write_ansys(std::ostream& out, const ExportedSeries& exported) {
     if (terms == 0) break;
     out << "TB,PRONY,1,," << terms << ',' << part << '\n';
     for (std::size_t i = 0; i < terms; ++i)
-      out << "TBDATA," << 2 * i + 1 << ',' << exported.series.terms[i].modulus / exported.at_once << ','
+      out << "TBDATA," << 2 * i + 1 << ',' << exported.series.terms[i].modulus / exported.at_once() << ','
           << exported.series.terms[i].time << '\n';
   }
   if (const auto& shift = exported.shift)
@@ -114,19 +122,16 @@ void write_series(std::ostream& out, const ExportedSeries& exported) {
 std::string scene_of_series(RollingScene scene) {
   MaterialInputs layer = scene;
   layer.temperature.reset();
-  const CreepSpectrum creep = creep_spectrum(layer);
+  const PronySeries series = series_of(layer);
   scene.material = MaterialModel::prony;
   scene.static_young_modulus.reset();
-  scene.static_shear_modulus = 1 / creep.at_rest();
+  scene.static_shear_modulus = series.static_modulus;
   scene.stiffening = scene.creep_time = 0;
   scene.fractional_order = MaterialInputs{}.fractional_order;
   for (std::vector<double>* list : {&scene.frequencies, &scene.storage_moduli, &scene.loss_moduli,
                                     &scene.relaxation_times, &scene.relaxation_moduli})
     list->clear();
-  PronySeries series{*scene.static_shear_modulus, {}};
-  for (const RelaxationSpectrum::Term& term : relaxation_spectrum(creep).terms)
-    series.terms.push_back({term.modulus, term.time});
-  for (const PronySeries::Term& term : ordered(series).terms) {
+  for (const PronySeries::Term& term : series.terms) {
     scene.relaxation_times.push_back(term.time);
     scene.relaxation_moduli.push_back(term.modulus);
   }

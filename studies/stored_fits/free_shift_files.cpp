@@ -15,19 +15,18 @@ namespace {
 
 ChartRequest shifts_chart(const MaterialFit& found, const std::string& name) {
   const ShiftTable& table = found.shift.table;
-  const auto celsius = [](double temperature) { return temperature - 273.15; };
+  const auto in_celsius = [](double temperature) { return celsius().number(temperature); };
   ChartRequest request{.title = name,
                        .subtitle = "shifts found with the material, reference " +
-                                   short_number(celsius(found.shift.reference), 4) + " °C",
+                                   short_number(in_celsius(found.shift.reference), 4) + " °C",
                        .x = {.name = "temperature", .symbol = "T", .unit = "°C"},
                        .y = {.name = "log10 a_T"},
                        .curves = {{"found", {}}},
                        .mark_peaks = false};
   request.curves.front().line = false;
-  const double at_reference = shift_factor(found.shift, found.shift.reference);
   for (std::size_t i = 0; i < table.temperatures.size(); ++i)
     request.curves.front().points.push_back(
-        {celsius(table.temperatures[i]), std::log10(shift_factor(found.shift, table.temperatures[i]) / at_reference)});
+        {in_celsius(table.temperatures[i]), std::log10(shift_factor(found.shift, table.temperatures[i]))});
   const auto [lowest, highest] = std::minmax_element(table.temperatures.begin(), table.temperatures.end());
   for (const LawThrough& law : laws_through(found.shift)) {
     ChartCurve& curve = request.curves.emplace_back(ChartCurve{law.name, {}});
@@ -35,7 +34,7 @@ ChartRequest shifts_chart(const MaterialFit& found, const std::string& name) {
     constexpr int pieces = 80;
     for (int i = 0; i <= pieces; ++i) {
       const double temperature = *lowest + (*highest - *lowest) * i / pieces;
-      curve.points.push_back({celsius(temperature), std::log10(shift_factor(law.shift, temperature))});
+      curve.points.push_back({in_celsius(temperature), std::log10(shift_factor(law.shift, temperature))});
     }
   }
   return request;
