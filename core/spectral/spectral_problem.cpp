@@ -16,6 +16,9 @@ namespace {
 
 /// Memories below this part of the half-width count as elastic, whatever they lose.
 constexpr double shortest_memory = 1e-9;
+/// Compliance of a memory that counts, over the instantaneous one: a weaker one and its time of relaxation differ by
+/// rounding alone, and (S5) divides by their difference.
+constexpr double least_compliance = 1e-14;
 /// What memories that count as elastic may lose, relative to all; where a tolerance allows it, a part of that.
 constexpr double negligible_loss = 1e-7, part_of_tolerance = 0.1;
 /// Losses by short memories in full solutions, over their estimate, at most: layers that differ press them into waves
@@ -76,7 +79,7 @@ TidySpectrum tidied(CreepSpectrum creep, double half_time, double negligible, do
       tidy.left_out = std::min(short_loss / all, negligible);
     } else if (!terms.empty() && term.time < (1 + 1e-9) * terms.back().time) {
       terms.back().compliance += term.compliance;
-    } else if (term.compliance > 0) {
+    } else if (term.compliance > least_compliance * creep.instantaneous) {
       terms.push_back(term);
     }
   }

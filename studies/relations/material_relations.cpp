@@ -85,7 +85,7 @@ RelatedPair term_unseen(Dice& dice, RollingScene scene) {
   double time = contact_time / beyond / shift;
   switch (dice.choice(3)) {
     case 0:
-      longer.relaxation_moduli.push_back(1e-14 * rest);
+      longer.relaxation_moduli.push_back(rest * dice.log_uniform(1e-18, 1e-12));
       longer.relaxation_times.push_back(contact_time * dice.log_uniform(1e-8, 1e8) / shift);
       return RelatedScenes{.one = scene, .other = known_scene(other)};
     case 1: {

@@ -59,6 +59,22 @@ TEST_CASE("a Prony series whose times nearly coincide has the creep of one with 
   }
 }
 
+TEST_CASE("a term far weaker than all others leaves a Prony series' creep as it was, at whatever time it is",
+          "[core][material]") {
+  // The modulus hardly turns at the weak term's pole: a search of zeros that settles there loses a strong neighbour.
+  const PronySeries series = wide_series(17);
+  for (double weak = 1e-13; weak > 1e-18; weak /= 30)
+    for (int n = 0; n <= 60; ++n) {
+      PronySeries more = series;
+      more.terms.push_back({weak * 1e6, 3e-9 * std::pow(10.0, 12.0 * n / 60)});
+      const CreepSpectrum creep = creep_spectrum(ordered(more));
+      for (double omega = 1e-5; omega < 1e11; omega *= 30) {
+        CAPTURE(weak, n, omega);
+        CHECK(std::abs(complex_modulus(series, omega) * creep(omega) - 1.0) < 1e-12);
+      }
+    }
+}
+
 TEST_CASE("the order of a Prony series' terms, equal times and moduli that are zero make no difference",
           "[core][material]") {
   MaterialInputs layer;

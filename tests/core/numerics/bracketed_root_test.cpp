@@ -21,3 +21,12 @@ TEST_CASE("a smooth root takes few evaluations", "[core][bracketed_root]") {
   bracketed_root([&](double x) { return ++evaluations, x * x * x + x - 5; }, 0, 3);
   CHECK(evaluations < 20);
 }
+
+TEST_CASE("an end where the function is tiny is not taken for the root", "[core][bracketed_root]") {
+  for (double tiny = 1e-8; tiny > 1e-300; tiny *= 1e-8) {
+    CAPTURE(tiny);
+    const auto function = [&](double x) { return (1 - x) * (x - 0.3) + tiny * x; };
+    CHECK(bracketed_root(function, 0, 1) == Approx(0.3).epsilon(3e-8));
+    CHECK(bracketed_root([&](double x) { return -function(-x); }, -1, 0) == Approx(-0.3).epsilon(3e-8));
+  }
+}
