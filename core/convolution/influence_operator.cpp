@@ -58,6 +58,7 @@ InfluenceSpectra transform_coefficients(const InfluenceTable& table, const Surfa
       for (std::size_t i = 0; i < of_shear.size(); ++i) of_shear[i] += table.hoop[i];
       pass(table.uw, spectra.uw, nullptr, nullptr, &of_shear, &spectra.wu);
     }
+    if (!table.vv.empty()) pass(table.vv, spectra.vv, nullptr, nullptr, nullptr, nullptr);
   } else {
     pass(table.ww, spectra.ww, &table.uv, &spectra.uv, &table.uu, &spectra.uu);
     pass(table.vv, spectra.vv, &table.vw, &spectra.vw, &table.uw, &spectra.uw);
@@ -118,9 +119,14 @@ Displacements InfluenceOperator::apply(const Vector& pressure, const Vector& she
   }
   const InfluenceTerms<double> terms{spectra_.ww, spectra_.of_shear(), spectra_.vw, spectra_.uw,
                                      spectra_.vw, spectra_.uu,         spectra_.uv, spectra_.vv};
-  transform_->convolve({&pressure, &shear_y, &shear_x, grid_.columns, grid_.rows},
+  const Vector none;
+  transform_->convolve({&pressure, lateral_ ? &shear_y : &none, &shear_x, grid_.columns, grid_.rows},
                        [&](const WavenumberBlock<double>& block) { terms.multiply(block, lateral_); },
                        {&moved.w, lateral_ ? &moved.v : nullptr, &moved.u, columns, grid_.rows});
+  if (!lateral_ && shear_y.size() > 0) {
+    if (!even_transform_) even_transform_ = std::make_unique<EvenTransform<double>>(padded_);
+    even_transform_->convolve(shear_y, grid_.columns, grid_.rows, spectra_.vv, moved.v, columns);
+  }
   return moved;
 }
 

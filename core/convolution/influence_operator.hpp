@@ -4,7 +4,8 @@
 /// transform on a padded grid.
 ///
 /// On a sphere's half grid p, tau_x, w and u are even in y, tau_y and v odd, so that one complex transform carries all
-/// three tractions and one all three displacements (padded_convolution.hpp).
+/// three tractions and one all three displacements (padded_convolution.hpp). Under a skewed cylinder v answers tau_y
+/// alone, by a transform of its own.
 
 #include <Eigen/Core>
 #include <memory>
@@ -25,7 +26,8 @@ struct Displacements {
 };
 
 /// Transforms of the influence coefficients [m/Pa], normalised for the inverse transform; without friction ww only,
-/// without v for a cylinder. wu is that of w under shear, of rings alone: else it is uw.
+/// without v for a straight cylinder, vv alone for a skewed one. wu is that of w under shear, of rings alone: else it
+/// is uw.
 struct InfluenceSpectra {
   Spectrum<double> ww, uu, vv, uv, uw, vw, wu;
   const Spectrum<double>& of_shear() const { return wu.re.empty() ? uw : wu; }
@@ -38,7 +40,7 @@ class InfluenceOperator {
   InfluenceOperator(const ContactModel& model, const InfluenceTable& table, const SurfaceGrid& half, bool friction);
   ~InfluenceOperator();
 
-  /// Tractions [Pa] on the grid. Empty shear: only w is computed; shear_y is empty for a cylinder.
+  /// Tractions [Pa] on the grid. Empty shear: only w is computed; shear_y is empty for a straight cylinder.
   Displacements apply(const Vector& pressure, const Vector& shear_x, const Vector& shear_y) const;
 
   /// The same of the coating's part, and what it does to those who move it: the coefficients with offsets the other
@@ -64,7 +66,7 @@ class InfluenceOperator {
 
   ContactModel model_;
   SurfaceGrid grid_;
-  bool lateral_, friction_;
+  bool lateral_, friction_;  // shear and displacements along y, as of a plane; shear
   PaddedSize padded_;
   InfluenceSpectra spectra_;
   mutable std::unique_ptr<PaddedConvolution<double>> transform_;

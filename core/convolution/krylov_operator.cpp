@@ -120,7 +120,8 @@ void KrylovOperator<Real>::prepare_inverses(const ContactModel& model, bool fric
   const double floor = std::pow(normal_floor * largest_ww, 2), shift = slip_shift * largest_xx;
   resize<Real>(size, {&inverse_ww_});
   if (friction) resize<Real>(size, {&inverse_xx_});
-  if (friction && lateral_) resize<Real>(size, {&inverse_xy_, &inverse_yy_});
+  if (friction && lateral_) resize<Real>(size, {&inverse_xy_});
+  if (friction && model.lateral()) resize<Real>(size, {&inverse_yy_});
   for (std::size_t i = 0; i < size; ++i) {
     const CellSymbols& c = symbols[i];
     const complex ww = c.ww;
@@ -129,6 +130,7 @@ void KrylovOperator<Real>::prepare_inverses(const ContactModel& model, bool fric
     const complex slip = difference[i / rows];
     if (!lateral_) {
       store(inverse_xx_, i, normalise / (slip * c.uu + shift));
+      if (model.lateral()) store(inverse_yy_, i, normalise / (slip * c.vv + shift));
       continue;
     }
     const complex xx = slip * c.uu + shift, xy = slip * c.uv, yy = slip * c.vv + shift;
@@ -154,9 +156,15 @@ void KrylovOperator<Real>::apply(const Tractions& tractions, Response& response)
   }
   const InfluenceTerms<Real> terms{ww_, wu_, vw_, slip_uw_, slip_vw_, slip_uu_, slip_uv_, slip_vv_};
   transform_->convolve(
-      {&tractions.pressure, &tractions.shear_y, &tractions.shear_x, grid_.columns, grid_.rows},
+      {&tractions.pressure, lateral_ ? &tractions.shear_y : &none_, &tractions.shear_x, grid_.columns, grid_.rows},
       [&](const WavenumberBlock<Real>& block) { terms.multiply(block, lateral_); },
       {&response.w, lateral_ ? &response.slip_y : nullptr, &response.slip_x, grid_.columns, grid_.rows});
+  if (!lateral_) along_axle(tractions.shear_y, slip_vv_, response.slip_y);
+}
+
+template <class Real>
+void KrylovOperator<Real>::along_axle(const Field& from, const Spectrum<Real>& kernel, Field& to) {
+  if (from.size() > 0) even_transform().convolve(from, grid_.columns, grid_.rows, kernel, to, grid_.columns);
 }
 
 template <class Real>
@@ -196,8 +204,9 @@ void KrylovOperator<Real>::approximate_inverse(const Response& wanted, Tractions
     }
   };
   transform_->convolve(
-      {&wanted.w, &wanted.slip_y, &wanted.slip_x, grid_.columns, grid_.rows}, multiply,
+      {&wanted.w, lateral_ ? &wanted.slip_y : &none_, &wanted.slip_x, grid_.columns, grid_.rows}, multiply,
       {&tractions.pressure, lateral_ ? &tractions.shear_y : nullptr, &tractions.shear_x, grid_.columns, grid_.rows});
+  if (!lateral_) along_axle(wanted.slip_y, inverse_yy_, tractions.shear_y);
 }
 
 template class KrylovOperator<float>;

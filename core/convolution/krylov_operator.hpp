@@ -30,7 +30,7 @@ class KrylovOperator {
                  bool friction);
 
   /// Displacement w and change of slip from tractions [Pa]. Empty shear: only w is computed; shear_y is empty for
-  /// a cylinder.
+  /// a straight cylinder.
   void apply(const Tractions& tractions, Response& response);
 
   /// Approximately the pressure that gives -w and the shear that gives minus the slip, by the reciprocal of the
@@ -42,12 +42,15 @@ class KrylovOperator {
  private:
   void prepare_inverses(const ContactModel& model, bool friction);
   EvenTransform<Real>& even_transform();
+  /// Of a skewed cylinder: `to` is the kernel times `from`, both along its axle.
+  void along_axle(const Field& from, const Spectrum<Real>& kernel, Field& to);
 
   SurfaceGrid grid_;
-  bool lateral_;
+  bool lateral_;  // shear along y, as of a plane
   PaddedSize padded_;
   std::unique_ptr<PaddedConvolution<Real>> transform_;
   std::unique_ptr<EvenTransform<Real>> even_transform_;
+  const Field none_;
   Spectrum<Real> ww_, wu_, vw_;  // of displacements under shear
   Spectrum<Real> slip_uw_, slip_vw_, slip_uu_, slip_uv_, slip_vv_;
   Spectrum<Real> inverse_ww_, inverse_xx_, inverse_xy_, inverse_yy_;

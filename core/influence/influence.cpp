@@ -7,6 +7,7 @@
 #include <memory>
 #include <vector>
 
+#include "core/influence/axial_line.hpp"
 #include "core/influence/line_passage.hpp"
 #include "core/influence/passage_kernel.hpp"
 #include "core/influence/periodic_kernel.hpp"
@@ -31,6 +32,7 @@ double InfluenceTable::operator()(Direction displacement, Direction force, int c
   const double odd = rows < 0 ? -1 : 1;
   using enum Direction;
   if (displacement == force) return displacement == w ? ww[at] : displacement == u ? uu[at] : vv[at];
+  if (reach_y_ == 0 && (displacement == v || force == v)) return 0;  // antiplane shear moves nothing else
   if (displacement != w && force != w) return odd * uv[at];
   const double sign = displacement == w ? -1 : 1;
   const Direction tangential = displacement == w ? force : displacement;
@@ -69,7 +71,8 @@ InfluenceTable InfluenceTable::transposed() const {
 
 void InfluenceTable::add_coating(const InfluenceTable& coating) {
   const auto add = [](std::vector<double>& to, const std::vector<double>& from, double sign) {
-    for (std::size_t i = 0; i < to.size(); ++i) to[i] += sign * from[i];
+    if (to.empty()) to.assign(from.size(), 0.0);
+    for (std::size_t i = 0; i < from.size(); ++i) to[i] += sign * from[i];
   };
   add(ww, coating.ww, 1);
   add(uu, coating.uu, 1);
@@ -77,8 +80,6 @@ void InfluenceTable::add_coating(const InfluenceTable& coating) {
   add(uv, coating.uv, 1);
   add(uw, coating.uw, -1);
   add(vw, coating.vw, -1);
-  if (coating.hoop.empty()) return;
-  if (hoop.empty()) bend();
   add(hoop, coating.hoop, -1);
 }
 
@@ -147,7 +148,8 @@ InfluenceTable passage_table(const ContactModel& model, const SurfaceGrid& grid,
 /// Without what all nodes move together: under a cylinder a half-space sinks without limit, by far more than the nodes
 /// differ where it creeps a thousandfold.
 InfluenceTable without_sinking(InfluenceTable table) {
-  for (std::vector<double>* const component : {&table.ww, &table.uu}) {
+  for (std::vector<double>* const component : {&table.ww, &table.uu, &table.vv}) {
+    if (component->empty()) continue;
     const double least = *std::min_element(component->begin(), component->end());
     for (double& value : *component) value -= least;
   }
@@ -172,6 +174,7 @@ InfluenceTable surface_table(const ContactModel& model, const SurfaceGrid& grid)
                           model.ring() && model.friction_coefficient > 0);
   }
   InfluenceTable table = passage_table(model, grid, reach_x, reach_y);
+  if (!sphere && model.lateral()) table.vv = axial_coefficients(model, grid, reach_x);
   return sphere || has_rigid_base(model) ? table : without_sinking(std::move(table));
 }
 

@@ -20,7 +20,8 @@ enum class Direction { w, u, v };
 class InfluenceTable {
  public:
   InfluenceTable() = default;
-  /// Zeros for offsets up to +-reach_x columns and +-reach_y rows (reach_y = 0 and no v for a cylinder).
+  /// Zeros for offsets up to +-reach_x columns and +-reach_y rows (reach_y = 0 and no v for a cylinder, vv alone for a
+  /// skewed one: `axial_coefficients`).
   InfluenceTable(int reach_x, int reach_y);
 
   int reach_x() const { return reach_x_; }

@@ -68,7 +68,9 @@ ContactModel::ContactModel(const RollingScene& scene)
       radius(scene.radius),
       width(scene.width),
       kinematics(scene.kinematics),
-      speed(scene.speed),
+      speed(scene.speed * std::cos(scene.skew_angle.value_or(0))),
+      skew(std::tan(scene.skew_angle.value_or(0))),
+      axial_force(per_metre(scene.axial_force, scene)),
       load(per_metre(scene.load, scene)),
       approach(scene.approach),
       friction_coefficient(scene.friction_coefficient),
@@ -76,7 +78,7 @@ ContactModel::ContactModel(const RollingScene& scene)
       drive(scene.drive),
       driving_torque(per_metre(scene.driving_torque, scene)),
       rotation_ratio(scene.rotation_ratio),
-      flow(scene.drive == Drive::rotation ? scene.rotation_ratio.value_or(1) : 1),
+      flow(1),
       inertia(scene.inertia == Inertia::on),
       inertia_automatic(scene.inertia == Inertia::automatic),
       period(scene.period),
@@ -93,6 +95,8 @@ ContactModel::ContactModel(const RollingScene& scene)
   for (const BondedLayer& layer : scene.lower_layers) foundation.emplace_back(layer);
   for (const BondedLayer& layer : scene.coating_layers) coating.emplace_back(layer);
   half_space = std::isinf(foundation.back().layer_thickness);
+  if (rotation_ratio) *rotation_ratio *= std::hypot(1, skew);
+  if (drive == Drive::rotation) flow = rotation_ratio.value_or(1);
   decide();
 }
 
@@ -132,6 +136,17 @@ std::vector<const ModelLayer*> ContactModel::layers() const {
   return all;
 }
 
+ContactModel ContactModel::with_skew(double tangent) const {
+  ContactModel other = *this;
+  const double longer = std::hypot(1, tangent) / std::hypot(1, skew);
+  other.skew = tangent;
+  other.speed /= longer;
+  if (other.rotation_ratio) *other.rotation_ratio *= longer;
+  if (drive == Drive::rotation) other.flow = *other.rotation_ratio;
+  other.decide();
+  return other;
+}
+
 ContactModel ContactModel::with_flow(double ratio) const {
   ContactModel other = *this;
   other.flow = ratio;
@@ -152,8 +167,11 @@ ContactModel ContactModel::with_softening(const std::vector<SofteningFactors>& f
 ContactModel ContactModel::with_answer(const RollingSolution& solution) const {
   std::vector<SofteningFactors> factors;
   for (const std::array<double, 2>& of_layer : solution.moduli_factors) factors.push_back({of_layer[0], of_layer[1]});
-  const ContactModel softened = with_softening(factors);
-  return std::isfinite(solution.rotation_ratio) ? softened.with_flow(solution.rotation_ratio) : softened;
+  ContactModel softened = with_softening(factors);
+  if (skewed()) softened = softened.with_skew(std::tan(solution.skew_angle));
+  return std::isfinite(solution.rotation_ratio)
+             ? softened.with_flow(solution.rotation_ratio * std::hypot(1, softened.skew))
+             : softened;
 }
 
 double rayleigh_number(const ContactModel& model) {

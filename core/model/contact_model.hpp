@@ -46,13 +46,15 @@ struct ContactModel {
   std::optional<double> width;  // of a cylinder whose load is told in N [m]; the rest here is per metre
   Kinematics kinematics;
 
-  double speed;                          // V [m/s]
+  double speed;                          // V; of a skewed cylinder V cos a, square to its axle [m/s]
+  double skew;                           // tan a of a cylinder whose axle is turned to the left by a [1]
+  std::optional<double> axial_force;     // along the axle, in place of the skew [N/m]
   std::optional<double> load, approach;  // P [N/m] or [N], or d [m]
   double friction_coefficient;           // mu [1]
   double adhesion_threshold;             // [Pa]
   Drive drive;
   std::optional<double> driving_torque;  // T [N] (per metre) or [N m], with drive "torque"
-  std::optional<double> rotation_ratio;  // R Omega / V [1], with drive "rotation"
+  std::optional<double> rotation_ratio;  // R Omega over that speed [1], with drive "rotation"
 
   std::vector<ModelLayer> foundation;  // under the body, from the contact down; at least one
   std::vector<ModelLayer> coating;     // on the body, from its surface inwards
@@ -76,6 +78,12 @@ struct ContactModel {
   Resticking resticking;
   SlipRule slip_rule;
 
+  /// Whether a cylinder rolls askew. The model is in the frame of its axle: x square to it, y along it.
+  bool skewed() const { return skew != 0 || axial_force; }
+  /// Whether there are displacements, and with friction tractions, along y.
+  bool lateral() const { return dimension == 3 || (skewed() && friction_coefficient > 0); }
+  /// The same with another skew of a cylinder, tan a.
+  ContactModel with_skew(double tangent) const;
   /// Whether its loads and torques are told per metre of a cylinder, and one of them as it is told [N/m], or [N].
   bool told_per_metre() const { return dimension == 2 && !width; }
   double told(double per_metre) const { return per_metre * width.value_or(1); }

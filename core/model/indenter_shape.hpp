@@ -109,6 +109,8 @@ class IndenterShape {
   double law_ratio(double omega) const {
     return share_ == 0 ? omega : 1 + (omega - 1) / std::max(1 + share_ * (omega - 1), 0.1);
   }
+  /// 1/m of it.
+  double law_share(double law_ratio) const { return 1 - share_ * (law_ratio - 1); }
   /// Derivative of the slope along x [1/m].
   double curvature(double x, double y = 0) const;
   /// Derivative along x of what a unit of pressure resists with where the body rolls, Q + T/R [1/m].

@@ -61,6 +61,7 @@ std::string broken_for_finite_strain(const ContactModel& model) {
 /// The same for what asks for the inside of the layers (core/interior); `key` is what asks, with its value.
 std::string broken_for_interior(const RollingScene& scene, const std::string& key) {
   if (scene.period) return key + ": not with a period";
+  if (scene.skew_angle.value_or(0) != 0 || scene.axial_force) return key + ": not of a skewed cylinder";
   if (scene.method == Method::finite_strain) return key + ": not with method \"finite_strain\"";
   return {};
 }
@@ -188,6 +189,27 @@ void check_alternatives(const RollingScene& scene, BrokenRules& broken) {
     broken.add("tolerance", *scene.tolerance, "give spacing or tolerance, not both");
 }
 
+/// What a cylinder whose axle is turned is not solved with.
+void check_skew(const RollingScene& scene, BrokenRules& broken) {
+  if (scene.skew_angle && scene.axial_force)
+    broken.add("axial_force", *scene.axial_force, "give skew_angle or axial_force, not both");
+  const std::string key = scene.skew_angle    ? message_text("skew_angle = ", *scene.skew_angle)
+                          : scene.axial_force ? message_text("axial_force = ", *scene.axial_force)
+                                              : "";
+  if (key.empty()) return;
+  const auto only = [&](bool met, const std::string& rule) {
+    if (!met) broken.lines.push_back(key + ": " + rule);
+  };
+  only(dimension_of(scene.indenter) == 2, "only for a cylinder");
+  if (scene.axial_force) only(scene.friction_coefficient > 0, "needs a friction_coefficient > 0");
+  if (scene.skew_angle && *scene.skew_angle == 0) return;
+  only(scene.kinematics == Kinematics::consistent, "only with kinematics \"consistent\"");
+  only(scene.method == Method::automatic || scene.method == Method::newton || scene.method == Method::newton_dense ||
+           scene.friction_coefficient == 0,
+       "only with method \"automatic\", \"newton\" or \"newton_dense\"");
+  only(!scene.period, "not with a period");
+}
+
 void check_against_radius(const RollingScene& scene, BrokenRules& broken) {
   if (scene.spacing && *scene.spacing > 0.2 * scene.radius)
     broken.add("spacing", *scene.spacing, "must be at most a fifth of the radius");
@@ -266,6 +288,7 @@ void check_model(const RollingScene& scene, bool in_range, BrokenRules& broken) 
 std::string spectral_refusal(const ContactModel& model) {
   if (model.dimension == 3) return "method = spectral: only for a cylinder";
   if (model.period) return message_text("period = ", *model.period, ": not with method \"spectral\"");
+  if (model.lateral()) return "skew_angle: not with method \"spectral\" and friction";
   if (model.coating.empty()) return {};
   if (model.inertia) return "inertia: not with method \"spectral\" and a coating";
   if (coating_remembers_ahead(model))
@@ -302,6 +325,7 @@ std::vector<std::string> check(const RollingScene& scene) {
   check_alternatives(scene, broken);
   check_against_radius(scene, broken);
   check_drive(scene, broken);
+  check_skew(scene, broken);
   check_model(scene, in_range, broken);
   return broken.lines;
 }

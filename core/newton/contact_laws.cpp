@@ -30,7 +30,8 @@ NaturalMaps natural_maps(const ContactProblem& problem, const InfluenceOperator&
     for (int column = 0; column < grid.columns; ++column) {
       const Eigen::Index i = grid.index(column, row), at = static_cast<Eigen::Index>(row) * (grid.columns + 1) + column;
       maps.slip_x(i) = problem.slip_x(i, (maps.moved.u(at + 1) - maps.moved.u(at)) / grid.spacing_x, x.rotation_ratio);
-      if (problem.lateral) maps.slip_y(i) = (maps.moved.v(at + 1) - maps.moved.v(at)) / grid.spacing_x;
+      if (problem.lateral)
+        maps.slip_y(i) = problem.slip_y((maps.moved.v(at + 1) - maps.moved.v(at)) / grid.spacing_x, x.rotation_ratio);
     }
   if (problem.friction) problem.edge.add(x.shear_x, x.shear_y, maps.slip_x, maps.slip_y);
   for (int row = 0; row < grid.rows; ++row)
@@ -51,8 +52,7 @@ NaturalMaps natural_maps(const ContactProblem& problem, const InfluenceOperator&
       if (!problem.friction) continue;
       if (pressure == 0 && x.shear_x(i) == 0) continue;
       const double qx = x.shear_x(i) + maps.slip_x(i) / influence.self_slip();
-      const bool sideways = problem.lateral && !problem.on_axis(i);
-      const double qy = sideways ? x.shear_y(i) + maps.slip_y(i) / influence.self_slip() : 0;
+      const double qy = problem.sheared_across(i) ? x.shear_y(i) + maps.slip_y(i) / influence.self_slip() : 0;
       const FrictionProjection projection = problem.law.project(pressure, qx, qy);
       count((x.shear_x(i) - projection.x()) * per_friction);
       if (problem.lateral) count((x.shear_y(i) - projection.y()) * per_friction);
@@ -165,7 +165,7 @@ LawResiduals law_residuals(const ContactProblem& problem, const InfluenceOperato
       right.shear_x(i) = bound * laws.direction_x(i) - x.shear_x(node);
       if (problem.lateral) right.shear_y(i) = bound * laws.direction_y(i) - x.shear_y(node);
     }
-    if (problem.lateral && problem.on_axis(node)) right.shear_y(i) = -x.shear_y(node);
+    if (problem.lateral && !problem.sheared_across(node)) right.shear_y(i) = -x.shear_y(node);
   }
   if (problem.load_given()) right.load = *problem.model.load - problem.load(x.pressure, x.shear_x);
   if (problem.friction && !problem.rotation_given())

@@ -101,7 +101,7 @@ SurfaceGrid follow(const ContactLevel& level, const SurfaceGrid& like, double ma
   next.first_column = -cells(margin - trailing, -like.origin_x, like.spacing_x);
   next.columns = cells(leading + margin, like.origin_x, like.spacing_x) - next.first_column + 1;
   next.first_row = 0;
-  next.rows = level.problem->lateral ? cells(half_width + margin, 0, like.spacing_y) + 1 : 1;
+  next.rows = level.problem->plane ? cells(half_width + margin, 0, like.spacing_y) + 1 : 1;
   require_nodes(next.columns, next.rows, next.spacing_x);
   return next;
 }

@@ -34,7 +34,7 @@ double friction_by_law(const ContactProblem& problem, const Displacements& moved
     const double weight = grid.cell_area() * problem.images(i);
     if (coating.w.size() == 0) {
       sum += weight * unknowns.shear_x(i) * (slip_x(i) + problem.slip_x(i, slope(moved.u), unknowns.rotation_ratio));
-      if (problem.lateral) sum += weight * unknowns.shear_y(i) * (slip_y(i) + slope(moved.v));
+      if (problem.lateral) sum += weight * unknowns.shear_y(i) * (slip_y(i) + problem.sideways + slope(moved.v));
       continue;
     }
     const double x = grid.x(static_cast<int>(i % grid.columns)), y = grid.y(static_cast<int>(i / grid.columns));
@@ -42,7 +42,8 @@ double friction_by_law(const ContactProblem& problem, const Displacements& moved
     sum += weight * unknowns.shear_x(i) *
            (slip_x(i) + rigid.forward - turning * rigid.turning + slope(moved.u) + (turning - 1) * slope(coating.u));
     if (problem.lateral)
-      sum += weight * unknowns.shear_y(i) * (slip_y(i) + slope(moved.v) + (turning - 1) * slope(coating.v));
+      sum += weight * unknowns.shear_y(i) *
+             (slip_y(i) + problem.sideways + slope(moved.v) + (turning - 1) * slope(coating.v));
   }
   return sum;
 }
@@ -131,14 +132,16 @@ ContactPowers contact_powers(const ContactProblem& problem, const Displacements&
       const RigidSlip rigid = problem.shape.slip(x, y);
       powers.layer -= force_u * along + force_v * across;
       powers.drawn += force_u;
-      powers.friction += force_u * (rigid.forward + along - turning * rigid.turning) + force_v * across;
+      powers.friction +=
+          force_u * (rigid.forward + along - turning * rigid.turning) + force_v * (problem.sideways + across);
     }
   powers.unbalanced += (problem.shape.of_coating() - 1) * (turning - 1) * powers.coating.pressed;
   if (problem.friction) powers.by_law = friction_by_law(problem, moved, coating, unknowns, zone);
   if (load > 0) powers.sticking /= load;
   powers.drawn = load > 0 && problem.friction ? std::min(1.0, std::abs(powers.drawn) / problem.law.bound(load)) : 1;
   powers.cells = std::sqrt(nodes / std::numbers::pi);
-  powers.resultants = problem.resistance(unknowns.pressure, unknowns.shear_x, unknowns.rotation_ratio, powers.coating);
+  powers.resultants = problem.resistance(unknowns.pressure, unknowns.shear_x, unknowns.rotation_ratio, powers.coating) +
+                      problem.sideways * problem.axial_force(unknowns.shear_y);
   powers.share = share_of_losses(powers.losses(), powers.halves);
   return powers;
 }

@@ -11,7 +11,9 @@ ContactProblem::ContactProblem(const ContactModel& given, const SurfaceGrid& hal
       shape(given, share_of_coating(given)),
       law(friction_law(given)),
       friction(given.friction_coefficient > 0),
-      lateral(given.dimension == 3),
+      lateral(given.lateral()),
+      plane(given.dimension == 3),
+      sideways(-given.skew),
       drive_target(rollres::drive_target(given)) {
   const Eigen::Index size = grid.size();
   profile.resize(size);

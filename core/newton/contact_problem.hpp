@@ -3,9 +3,10 @@
 /// The discretised contact problem: one row per law, on a grid of nodes that uses the scene's symmetry in y.
 ///
 /// A sphere's problem is even in y, so only rows with y >= 0 are kept and rows with y > 0 count twice in sums; a
-/// cylinder has a single row. Unknowns are the pressure p and the shear tractions on the nodes in contact, the
-/// approach d and the rotation ratio omega = R Omega / V; core/newton/README.md, (N1) to (N6), has their laws (Zehil
-/// and Gavin 2013, eqs. 12, 17, 19, 21, 25, 26, 31 with the corrections of README.md).
+/// cylinder has a single row, which is whole: askew it has shear along its axle. Unknowns are the pressure p and the
+/// shear tractions on the nodes in contact, the approach d and the rotation ratio omega = R Omega / V;
+/// core/newton/README.md, (N1) to (N6), has their laws (Zehil and Gavin 2013, eqs. 12, 17, 19, 21, 25, 26, 31 with the
+/// corrections of README.md).
 
 #include <Eigen/Core>
 
@@ -34,6 +35,8 @@ struct ContactProblem {
   IndenterShape shape;
   FrictionLaw law;
   bool friction, lateral;                 // shear; tractions and displacements along y
+  bool plane;                             // rows in y, and not a line
+  double sideways = 0;                    // rigid slip along y: -tan a of a skewed cylinder [1]
   Vector profile;                         // height of the body's lower surface above its lowest point [m]
   Vector forward, turning;                // of the slip (N2) as the law of friction takes it [1]
   Resultant load, torque, driving_force;  // (N3): P [N], T [N m], Q [N] (per metre for a cylinder)
@@ -45,7 +48,7 @@ struct ContactProblem {
 
   /// Whether the contact's edge shall be sought inside the cells: with the paper's kinematics the grid is the paper's.
   bool follows_edge() const {
-    return friction && lateral && model.kinematics == Kinematics::consistent && model.adhesion_threshold == 0;
+    return friction && plane && model.kinematics == Kinematics::consistent && model.adhesion_threshold == 0;
   }
   /// @param in_contact a flag for each node
   void take_edge(const EdgeCurve& curve, const std::vector<char>& in_contact) {
@@ -63,13 +66,16 @@ struct ContactProblem {
   }
   /// Unknown tractions at a node in contact: p; tau_x; tau_y.
   int components() const { return !friction ? 1 : lateral ? 3 : 2; }
-  /// Whether a node lies on y = 0, where tau_y vanishes by symmetry.
-  bool on_axis(Eigen::Index node) const { return grid.first_row + node / grid.columns == 0; }
   /// How often a node of the half grid stands on the whole one.
-  int images(Eigen::Index node) const { return on_axis(node) ? 1 : 2; }
-  /// s_x of a node, over what scales it in the law of friction, from du/dx and the law's ratio [1]; s_y is dv/dx.
+  int images(Eigen::Index node) const { return grid.first_row + node / grid.columns == 0 ? 1 : 2; }
+  /// Whether it has a shear along y: on the axis of symmetry there is none.
+  bool sheared_across(Eigen::Index node) const { return lateral && (!plane || images(node) > 1); }
+  /// s_x and s_y of a node, over what scales them in the law of friction, from du/dx or dv/dx and the law's ratio [1].
   double slip_x(Eigen::Index node, double slope_u, double law_ratio) const {
     return forward(node) + slope_u - law_ratio * turning(node);
+  }
+  double slip_y(double slope_v, double law_ratio) const {
+    return sideways == 0 ? slope_v : sideways * shape.law_share(law_ratio) + slope_v;
   }
   /// Rotation ratio by which the torque counts in the resistance Q + omega T/R: without friction that of rolling, as
   /// the pressure must be overcome by one or the other, or at which the coating flows.
@@ -77,7 +83,11 @@ struct ContactProblem {
     if (!friction) return idle_ratio;
     return rotation_given() ? *model.rotation_ratio : shape.rotation_ratio(law_ratio);
   }
-  /// Rolling resistance [N] (per metre for a cylinder); empty shear is none.
+  /// Force along the axle of a skewed cylinder [N/m].
+  double axial_force(const Vector& shear_y) const {
+    return plane || shear_y.size() == 0 ? 0 : grid.cell_area() * shear_y.sum();
+  }
+  /// Rolling resistance [N] (per metre for a cylinder) but for `sideways` times the axial force; empty shear is none.
   double resistance(const Vector& pressure, const Vector& shear_x, double law_ratio,
                     const CoatingMoments& coating) const {
     const double turning = turning_ratio(law_ratio);

@@ -69,7 +69,7 @@ GridSeries fixed_grids(const ContactModel& model, double spacing) {
     SurfaceGrid grid = level.problem->grid;
     const double from = grid.spacing_x, own = std::ldexp(spacing, coarsening);
     grid.spacing_x = own;
-    if (level.problem->lateral) grid.spacing_y = own;
+    if (level.problem->plane) grid.spacing_y = own;
     return follow(level, grid, margin(from, own));
   };
   return series;

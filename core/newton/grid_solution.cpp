@@ -79,7 +79,7 @@ class Assessment {
     const ContactOutline outline = contact_outline(problem_.model, problem_.grid, unknowns_.pressure);
     s_.leading_edge = outline.leading;
     s_.trailing_edge = outline.trailing;
-    if (problem_.lateral) s_.half_width = outline.half_width;
+    if (problem_.plane) s_.half_width = outline.half_width;
     s_.edge_error = outline.edge_error;
     s_.contact_area = outline.area;
     s_.contact_area_error = outline.area_error;
@@ -106,6 +106,7 @@ class Assessment {
       s_.driving_torque = radius * of_coating;
       s_.driving_force = s_.rolling_resistance - turning * of_coating;
     }
+    if (problem_.model.skewed()) s_.axial_force = problem_.axial_force(unknowns_.shear_y);
     s_.rolling_resistance_coefficient = s_.rolling_resistance / s_.load;
   }
 
@@ -123,7 +124,8 @@ class Assessment {
       const Eigen::Index left = stencil == SlipStencil::forward || column == 0 ? at : at - 1;
       const double distance = static_cast<double>(right - left) * grid.spacing_x;
       slip_x_(i) = problem_.slip_x(i, (moved_.u(right) - moved_.u(left)) / distance, unknowns_.rotation_ratio);
-      if (problem_.lateral) slip_y_(i) = (moved_.v(right) - moved_.v(left)) / distance;
+      if (problem_.lateral)
+        slip_y_(i) = problem_.slip_y((moved_.v(right) - moved_.v(left)) / distance, unknowns_.rotation_ratio);
     }
     if (problem_.lateral) problem_.edge.add(unknowns_.shear_x, unknowns_.shear_y, slip_x_, slip_y_);
   }

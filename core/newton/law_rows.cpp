@@ -38,7 +38,7 @@ LawRows<Real>::LawRows(const ContactProblem& problem, const ActiveLaws& laws)
   for (Eigen::Index i = 0; i < contacts_; ++i) {
     const auto c = static_cast<std::size_t>(i);
     sticks_.push_back(laws.zone[c] == Zone::stick);
-    on_axis_.push_back(problem.lateral && problem.on_axis(laws.contact[c]));
+    sheared_across_.push_back(problem.sheared_across(laws.contact[c]));
   }
 }
 
@@ -80,7 +80,7 @@ auto LawRows<Real>::operator()(const VectorR& x, const ScaledResponse<Real>& res
           slip_row(slope_(i), direction_x_(i), direction_y_(i), beta_(i), x(i), tx, ty, tx + slip_x, ty + slip_y);
     rows(n + i) = row_x;
     // On the axis of symmetry tau_y vanishes.
-    if (components_ > 2) rows(2 * n + i) = on_axis(i) ? ty : row_y;
+    if (components_ > 2) rows(2 * n + i) = sheared_across(i) ? row_y : ty;
   }
   return rows;
 }

@@ -12,7 +12,7 @@
 
 namespace rollres {
 
-/// A row of the linearised laws, by traction at all nodes; for a cylinder without shear_y.
+/// A row of the linearised laws, by traction at all nodes; for a straight cylinder without shear_y.
 struct TractionRow {
   Vector of_pressure, of_shear_x, of_shear_y;
 };
@@ -52,7 +52,7 @@ class LawRows {
   VectorR operator()(const VectorR& x, const ScaledResponse<Real>& response) const;
   /// The rows of load and drive alone.
   VectorR border_rows(const VectorR& x) const;
-  bool on_axis(Eigen::Index contact) const { return on_axis_[static_cast<std::size_t>(contact)] != 0; }
+  bool sheared_across(Eigen::Index contact) const { return sheared_across_[static_cast<std::size_t>(contact)] != 0; }
   bool sticks(Eigen::Index contact) const { return sticks_[static_cast<std::size_t>(contact)] != 0; }
   Real along_x(Eigen::Index contact) const { return slope_(contact) * direction_x_(contact); }
   Real along_y(Eigen::Index contact) const { return slope_(contact) * direction_y_(contact); }
@@ -63,7 +63,7 @@ class LawRows {
   double force_scale_;
   VectorR direction_x_, direction_y_, beta_, slope_, turning_;
   VectorR load_, load_shear_, drive_, drive_shear_, drive_shear_y_;  // over force_scale
-  std::vector<char> sticks_, on_axis_;
+  std::vector<char> sticks_, sheared_across_;
 };
 
 }  // namespace rollres

@@ -73,7 +73,7 @@ void measure(ContactLevel& level) {
 EdgeCorrection correction_of(const ContactLevel& level) {
   const ContactProblem& problem = *level.problem;
   const ContactModel& model = problem.model;
-  if (!problem.lateral || model.kinematics != Kinematics::consistent || model.adhesion_threshold > 0 || !model.load)
+  if (!problem.plane || model.kinematics != Kinematics::consistent || model.adhesion_threshold > 0 || !model.load)
     return {};
   const ContactUnknowns& x = level.outcome.unknowns;
   const double turning = problem.turning_ratio(x.rotation_ratio) / problem.shape.radius();
@@ -164,12 +164,27 @@ ContactLevel solve_level(const ContactModel& model, SurfaceGrid grid, const Cont
 }
 
 double NestedOutcome::error_estimate(const GridError& error, double resistance) const {
-  const double last = std::abs(coarser_resistance - finest.powers.resistance());
+  const double last = last_change();
   constexpr double rounding = 1e-11;
   const double to_come = tied ? expected_change_of_tied_line(last, change_before, finest.powers)
                               : expected_change(finest.problem->model.dimension, last, change_before, finest.powers,
                                                 edge_trust(finest.problem->model, finest.edge.trust, error));
-  return error.estimate(resistance, to_come) + rounding * finest.powers.halves;
+  return error_at_limit(limit(&GridNumbers::resistance), error.estimate(resistance, to_come)) +
+         rounding * finest.powers.halves;
+}
+
+double NestedOutcome::last_change() const {
+  return coarser.empty() ? RollingSolution::absent : std::abs(coarser.back().resistance - finest.powers.resistance());
+}
+
+GridNumbers NestedOutcome::numbers() const {
+  const ContactUnknowns& x = finest.outcome.unknowns;
+  return {finest.powers.resistance(), finest.problem->turning_ratio(x.rotation_ratio),
+          finest.problem->axial_force(x.shear_y)};
+}
+
+GridLimit NestedOutcome::limit(double GridNumbers::*number) const {
+  return tied ? limit_of(coarser, numbers(), number, 1 - finest.error.slow_share) : GridLimit();
 }
 
 double NestedOutcome::error_estimate() const {
@@ -246,16 +261,21 @@ NestedOutcome solve_nested(const ContactModel& model, const GridSeries& grids,
     // A finer grid for a tolerance's sake that has no solution leaves the one that was found.
     if (nested.status == Status::converged && !next.outcome.converged)
       return better_of(std::move(nested), std::move(best));
-    const double resistance = solved ? level.powers.resistance() : RollingSolution::absent;
     const double change =
-        expected_change(model.dimension, std::abs(nested.coarser_resistance - resistance), nested.change_before);
+        expected_change(model.dimension, solved ? nested.last_change() : RollingSolution::absent, nested.change_before);
+    std::vector<GridNumbers> coarser;
+    if (solved) {
+      coarser = nested.coarser;
+      coarser.push_back(nested.numbers());
+      if (coarser.size() > 3) coarser.erase(coarser.begin());
+    }
     if (answered) {
       best = better_of(std::move(nested), std::move(best));
       nested = {};
       nested.tied = grids.tied;
     }
     nested.change_before = change;
-    nested.coarser_resistance = resistance;
+    nested.coarser = std::move(coarser);
     nested.finest = std::move(next);
   }
   if (drive_may_fail && !nested.finest.outcome.reached_border) {

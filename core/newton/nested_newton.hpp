@@ -5,16 +5,20 @@
 
 #include <functional>
 
+#include "core/newton/grid_limit.hpp"
 #include "core/newton/grid_series.hpp"
 
 namespace rollres {
 
 struct NestedOutcome {
   ContactLevel finest;
-  bool tied = false;  // as the series of grids (grid_series.hpp)
-  /// Rolling resistance at twice the finest spacing, and what was expected to change there; NaN if there was no such
-  /// level.
-  double coarser_resistance = RollingSolution::absent, change_before = RollingSolution::absent;
+  bool tied = false;                 // as the series of grids (grid_series.hpp)
+  std::vector<GridNumbers> coarser;  // of the grids before, each of twice the spacing of the next; three at most
+  double change_before = RollingSolution::absent;  // what R_r was expected to change on the last of them; NaN: unknown
+  double last_change() const;                      // of R_r; NaN without a coarser grid [N]
+  GridNumbers numbers() const;                     // of the finest
+  /// What one of them tends to; of tied grids alone, and less so where slow rolling takes their place.
+  GridLimit limit(double GridNumbers::*number) const;
   /// Estimated error of a rolling resistance [N] (core/newton/README.md, (N22)).
   double error_estimate(const GridError& error, double resistance) const;
   /// The same of what the finest grid itself says, relative; at least what the power balance misses, if that is much.

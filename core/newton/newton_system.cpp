@@ -103,9 +103,9 @@ class KrylovRows {
       const bool sticks = rows_.sticks(i);
       x(n + i) = sticks ? inverse_.shear_x(node) : right_side(n + i) + rows_.along_x(i) * x(i);
       if (lateral)
-        x(2 * n + i) = rows_.on_axis(i) ? right_side(2 * n + i)
-                       : sticks         ? inverse_.shear_y(node)
-                                        : right_side(2 * n + i) + rows_.along_y(i) * x(i);
+        x(2 * n + i) = !rows_.sheared_across(i) ? right_side(2 * n + i)
+                       : sticks                 ? inverse_.shear_y(node)
+                                                : right_side(2 * n + i) + rows_.along_y(i) * x(i);
     }
     return x;
   }
@@ -186,7 +186,7 @@ LinearStep NewtonSystem::solve_dense(const InfluenceTable& table, const LawResid
       const Eigen::Index source = laws_.contact[static_cast<std::size_t>(j)];
       const int source_column = static_cast<int>(source % grid.columns);
       const int source_row = static_cast<int>(source / grid.columns);
-      const bool image = !problem_.on_axis(source);
+      const bool image = problem_.images(source) > 1;
       const auto moved = [&](Direction displacement, int column, int row) {
         double value = table(displacement, force, column - source_column, row - source_row);
         if (image) value += parity * table(displacement, force, column - source_column, row + source_row);

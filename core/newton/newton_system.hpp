@@ -14,7 +14,7 @@ namespace rollres {
 
 /// Unknowns of the contact problem on the whole (half) grid.
 struct ContactUnknowns {
-  Vector pressure, shear_x, shear_y;  // [Pa]; shear_y empty for a cylinder, both empty without friction
+  Vector pressure, shear_x, shear_y;  // [Pa]; shear_y empty for a straight cylinder, both empty without friction
   double approach = 0;                // d [m]
   double rotation_ratio = 0;          // omega [1]
 

@@ -109,6 +109,8 @@ struct RollingScene : MaterialInputs {
   Drive drive = Drive::top_force;
   std::optional<double> driving_torque;  // T [N m], of a cylinder without a width [N], with drive "torque"
   std::optional<double> rotation_ratio;  // R Omega / V [1], with drive "rotation"
+  std::optional<double> skew_angle;      // a of a cylinder's axle, to the left of across the travel [rad]
+  std::optional<double> axial_force;     // along a cylinder's axle, in place of it [N/m], or [N] with a width
   Kinematics kinematics = Kinematics::consistent;
   double adhesion_threshold = 0;    // [Pa]
   std::optional<double> spacing;    // a [m]; this or
@@ -156,6 +158,15 @@ void visit_inputs(Scene& scene, Visitor&& visitor) {
           scene.driving_torque);
   visitor(Q{"rotation_ratio", "RΩ/V", "1", "circumferential speed over speed, with drive \"rotation\"; 0: locked"},
           scene.rotation_ratio);
+  visitor(Q{"skew_angle",
+            "α",
+            "rad",
+            "angle by which a cylinder's axle is turned to the left of across the travel",
+            {.lowest = -1.4, .highest = 1.4}},
+          scene.skew_angle);
+  visitor(Q{"axial_force", "F_a", "N", "force on a cylinder along its axle, to the left, in place of skew_angle",
+            any_number, "N/m"},
+          scene.axial_force);
   visitor(
       Q{"kinematics", "", "", "how resultants and slip are counted; consistent: power balances; printed: the paper's"},
       scene.kinematics);

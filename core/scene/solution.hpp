@@ -53,7 +53,8 @@ struct TractionPanel {
   std::vector<double> pressure, shear;  // [Pa]
 };
 
-/// Fields on the surface of the layer. Tractions act on the layer; v, shear_y and slip_y are empty for a cylinder.
+/// Fields on the surface of the layer. Tractions act on the layer; v, shear_y and slip_y are empty for a straight
+/// cylinder; those of a skewed one are in the frame of its axle.
 struct SurfaceFields {
   SurfaceGrid grid;
   std::vector<double> u, v, w;           // displacements along x, y, z [m]
@@ -74,6 +75,8 @@ struct RollingSolution {
   double driving_torque = absent;
   double rotation_speed = absent;
   double rotation_ratio = absent;
+  double skew_angle = absent, axial_force = absent;  // of a skewed cylinder
+  double creepage_x = absent, creepage_y = absent;
   double approach = absent;
   double load = absent;
   double leading_edge = absent, trailing_edge = absent, half_width = absent;
@@ -127,6 +130,12 @@ void visit_outputs(Solution& solution, Visitor&& visitor) {
   visitor(Q{"driving_torque", "T", "N.m", "torque that drives the body, clockwise", any_number, "N"}, s.driving_torque);
   visitor(Q{"rotation_speed", "Ω", "rad/s", "rotational speed of the body"}, s.rotation_speed);
   visitor(Q{"rotation_ratio", "RΩ/V", "1", "circumferential speed over speed"}, s.rotation_ratio);
+  visitor(Q{"skew_angle", "α", "rad", "angle by which a cylinder's axle is turned to the left of across the travel"},
+          s.skew_angle);
+  visitor(Q{"axial_force", "F_a", "N", "force on a cylinder along its axle, to the left", any_number, "N/m"},
+          s.axial_force);
+  visitor(Q{"creepage_x", "ξ", "1", "1 - (RΩ/V) cos α of a skewed cylinder"}, s.creepage_x);
+  visitor(Q{"creepage_y", "η", "1", "-(RΩ/V) sin α of a skewed cylinder"}, s.creepage_y);
   visitor(Q{"approach", "d", "m", "penetration of the body below the undeformed surface"}, s.approach);
   visitor(Q{"load", "P", "N", "vertical load", any_number, "N/m"}, s.load);
   visitor(Q{"leading_edge", "x+", "m", "largest x of the contact"}, s.leading_edge);
@@ -143,7 +152,8 @@ void visit_outputs(Solution& solution, Visitor&& visitor) {
   visitor(Q{"peak_pressure", "p_0", "Pa", "largest pressure"}, s.peak_pressure);
   visitor(Q{"peak_pressure_error", "", "Pa", "estimated error of the largest pressure"}, s.peak_pressure_error);
   visitor(Q{"peak_shear_x", "max|τ_xz|", "Pa", "largest shear traction along x"}, s.peak_shear_x);
-  visitor(Q{"peak_shear_y", "max|τ_yz|", "Pa", "largest shear traction along y (sphere)"}, s.peak_shear_y);
+  visitor(Q{"peak_shear_y", "max|τ_yz|", "Pa", "largest shear traction along y (sphere, skewed cylinder)"},
+          s.peak_shear_y);
   visitor(Q{"contact_nodes", "", "1", "nodes in contact"}, s.contact_nodes);
   visitor(Q{"slip_nodes", "", "1", "nodes in contact that slip"}, s.slip_nodes);
   visitor(Q{"viscous_loss", "", "W", "power lost in the layer", any_number, "W/m"}, s.viscous_loss);

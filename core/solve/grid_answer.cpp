@@ -88,6 +88,33 @@ NestedOutcome solve_nested_to_tolerance(const ContactModel& model, int most_node
   });
 }
 
+/// Puts what tied grids tend to into a solution: R_r, the rotation, the axial force, and what drives the body with
+/// them.
+void take_limits(const NestedOutcome& nested, RollingSolution& solution) {
+  const ContactModel& model = nested.finest.problem->model;
+  if (model.friction_coefficient == 0) return;
+  const GridLimit resistance = nested.limit(&GridNumbers::resistance),
+                  turning = nested.limit(&GridNumbers::rotation_ratio), axial = nested.limit(&GridNumbers::axial_force);
+  if (resistance.share == 0 && turning.share == 0 && axial.share == 0) return;
+  solution.rolling_resistance += resistance.to_come;
+  solution.rolling_resistance_coefficient = solution.rolling_resistance / solution.load;
+  solution.rotation_ratio += turning.to_come;
+  solution.rotation_speed = solution.rotation_ratio * model.speed / model.radius;
+  double driven = solution.rolling_resistance;  // Q + omega T/R
+  if (model.skewed()) {
+    solution.axial_force += axial.to_come;
+    driven += model.skew * solution.axial_force;
+  }
+  if (model.drive == Drive::top_force) {
+    solution.driving_force = driven / (1 + solution.rotation_ratio);
+    solution.driving_torque = solution.driving_force * model.radius;
+  } else {
+    solution.driving_force = driven - solution.driving_torque * solution.rotation_ratio / model.radius;
+  }
+  if (resistance.share > 0.01)
+    solution.model += message_text("; rolling resistance that the grids tend to, share ", resistance.share);
+}
+
 RollingSolution answer_from(const NestedOutcome& nested, const ContactModel& model) {
   RollingSolution solution;
   if (nested.status == Status::converged) {
@@ -100,6 +127,7 @@ RollingSolution answer_from(const NestedOutcome& nested, const ContactModel& mod
                               : summed(InfluenceOperator(model, *level.table, level.problem->grid, true));
     solution = std::move(answer.solution);
     take_slow_rolling(model, level.error, answer.powers, solution);
+    take_limits(nested, solution);
     set_error(nested.error_estimate(level.error, solution.rolling_resistance), solution);
     if (model.asked_tolerance && !(solution.rolling_resistance_error <= *model.tolerance * answer.powers.scale())) {
       solution.warnings.push_back(

@@ -17,6 +17,7 @@
 #include "core/solve/coating_flow.hpp"
 #include "core/solve/doubts.hpp"
 #include "core/solve/grid_answer.hpp"
+#include "core/solve/skewed_cylinder.hpp"
 #include "core/solve/torque_limit.hpp"
 #include "core/zones/spectral_contact.hpp"
 
@@ -166,15 +167,23 @@ void describe(const ContactModel& model, RollingSolution& solution) {
 
 }  // namespace
 
-RollingSolution solve_model(const ContactModel& full) {
+namespace {
+
+RollingSolution solve_at_skew(const ContactModel& full) {
   std::optional<FoundZones> zones;
   std::optional<ContactModel> solved;  // the last one, whose answer is returned
   RollingSolution solution = solve_at_own_flow(full, [&](const ContactModel& model) {
     solved = model;
     return judged_answer(model, zones);
   });
-  if (solution.status == Status::converged) describe(*solved, solution);
+  if (solution.status != Status::converged) return solution;
+  describe(*solved, solution);
+  turn_to_travel(full, solution);
   return solution;
 }
+
+}  // namespace
+
+RollingSolution solve_model(const ContactModel& full) { return solve_at_own_skew(full, solve_at_skew); }
 
 }  // namespace rollres

@@ -74,6 +74,7 @@ RollingScene scene_per_metre(RollingScene scene) {
   if (!scene.width) return scene;
   if (scene.load) *scene.load /= *scene.width;
   if (scene.driving_torque) *scene.driving_torque /= *scene.width;
+  if (scene.axial_force) *scene.axial_force /= *scene.width;
   scene.width.reset();
   return scene;
 }

@@ -14,7 +14,7 @@ using Eigen::Matrix2cd;
 /// Of the disc, times k and of unit modulus.
 SurfaceCompliance disc(double n, double nu) {
   const double normal = ((1 - nu) * n * n - 0.5 * (1 - 2 * nu) * n) / (n * n - 1);
-  return {.normal = normal, .longitudinal = 1 - nu, .cross = -0.5 * (1 - 2 * nu), .transverse = 0, .hoop = normal / n};
+  return {.normal = normal, .longitudinal = 1 - nu, .cross = -0.5 * (1 - 2 * nu), .transverse = 1, .hoop = normal / n};
 }
 
 /// Displacements, times the scale of waves, per r times the stress on the outer face [1/Pa].
@@ -42,13 +42,18 @@ SurfaceCompliance ring_compliance(const LayeredMedium& rings, std::span<const co
     return scaled(disc(n, rings.front().poisson_ratio), 1.0 / (moduli.front() * wavenumber));
   const double scale = RingWaves::scale_of(n);
   Matrix2cd give = Matrix2cd::Zero();
-  for (std::size_t i = rings.size(); i-- > 0;) give = through(rings[i], moduli[i], n, give);
+  complex sheared = 0;  // n v per r times the stress across the wave: antiplane shear is that of flat layers in ln r
+  for (std::size_t i = rings.size(); i-- > 0;) {
+    give = through(rings[i], moduli[i], n, give);
+    const double depth = -std::log1p(-rings[i].thickness / rings[i].radius), fixed = std::tanh(n * depth);
+    sheared = (sheared * moduli[i] + fixed) / (1.0 + sheared * moduli[i] * fixed) / moduli[i];
+  }
   // k u = n u/R per stress, r sigma = R sigma; the strain of u_phi sin(n phi) is (n u_phi + u_r)/R.
   const double per = 1 / (scale * wavenumber);
   return {.normal = n * give(0, 0) * per,
           .longitudinal = (n * give(1, 1) + give(0, 1)) * per,
           .cross = -(n * give(1, 0) + give(0, 0)) * per,
-          .transverse = 0,
+          .transverse = sheared / wavenumber,
           .hoop = give(0, 0) * per};
 }
 

@@ -27,7 +27,7 @@ namespace rollres {
 bool is_ring(const LayeredMedium& medium);
 
 /// @pre `is_ring(medium)`, without inertia   @param moduli G_i of each ring [Pa]   @param wavenumber k > 0 [1/m]
-/// @return c_ww, c_ll, c_x and the hoop's part as of `surface_compliance` [m/Pa]; the transverse one is 0
+/// @return as of `surface_compliance`, the hoop's part with it [m/Pa]
 SurfaceCompliance ring_compliance(const LayeredMedium& rings, std::span<const std::complex<double>> moduli,
                                   double wavenumber);
 

@@ -109,8 +109,8 @@ TEST_CASE("on a grid slow rolling follows Hunter's closed form where the memory 
 }
 
 TEST_CASE("slow rolling on a grid costs what continuous edges say, with either kinematics", "[core][grid_error]") {
-  // Reference: method spectral. Where a cell is 27 memories long the grid's own answer is a tenth too small, and printed
-  // kinematics take the body's curvature for another, 8e-4 of R_r here.
+  // Reference: method spectral. Where a cell is 27 memories long the grid's own answer is a tenth too small, and
+  // printed kinematics take the body's curvature for another, 8e-4 of R_r here.
   RollingScene scene = frictionless(paper_cylinder());
   scene.radius = 0.15;
   scene.layer_thickness = 0.13;
@@ -285,11 +285,12 @@ TEST_CASE("of the grids for a tolerance the one that knows most answers", "[core
     nested->finest.powers.halves = 1;
     nested->status = Status::converged;
   }
-  coarse.coarser_resistance = 1.001;
-  fine.coarser_resistance = 1.01;
+  coarse.coarser = {{.resistance = 1.001}};
+  fine.coarser = {{.resistance = 1.01}};
   fine.reason = "why no more";
   const NestedOutcome best = better_of(std::move(fine), std::move(coarse));
-  CHECK(best.coarser_resistance == 1.001);
+  REQUIRE(best.coarser.size() == 1);
+  CHECK(best.coarser.front().resistance == 1.001);
   CHECK(best.reason == "why no more");
   CHECK(better_of(NestedOutcome(), NestedOutcome()).status == Status::not_converged);
 }

@@ -1,0 +1,101 @@
+#include "core/influence/axial_line.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <complex>
+#include <span>
+#include <stdexcept>
+#include <utility>
+
+#include "core/influence/influence.hpp"
+#include "core/influence/passage_kernel.hpp"
+#include "core/messages/message_text.hpp"
+#include "core/model/contact_surface.hpp"
+#include "core/surface/fourier_table.hpp"
+#include "core/surface/medium_expansion.hpp"
+
+namespace rollres {
+
+namespace {
+
+using complex = std::complex<double>;
+
+/// Creep in shear of the incompressible half-space that yields as much to pressure, (1 - nu)/(k G*), as that of the
+/// first layer yields to shear across the wave, 1/(k G*).
+CreepSpectrum near_creep(const LayeredMedium& medium, double wave_speed) {
+  MediumLayer top = medium.front();
+  CreepSpectrum creep;
+  const auto add = [&](double time, double compliance) {
+    if (time == 0)
+      creep.instantaneous += 2 * compliance;
+    else
+      creep.terms.push_back({2 * compliance, time});
+  };
+  if (wave_speed == 0) {
+    add(0, top.material.instantaneous);
+    for (const CreepSpectrum::Term& term : top.material.terms) add(term.time, term.compliance);
+    return creep;
+  }
+  top.thickness = INFINITY;
+  const MediumExpansion expansion({top}, wave_speed);
+  for (const MediumTerm& term : expansion.terms()) add(term.time, term.deep.transverse);
+  return creep;
+}
+
+/// What the layers add to the half-spaces', of a line force spread over a cell.
+class AddedAlongAxle {
+ public:
+  AddedAlongAxle(const ContactModel& model, double cell, const MemoryRange& told_apart)
+      : surface_(steady_surface(model, told_apart)),
+        depth_(nearest_interface(model)),
+        cell_(cell),
+        lacking_((surface_.half_spaces(surface_.moduli(0)).transverse - surface_.long_waves().transverse).real()),
+        table_(1, 1, 0.1 * depth_ / surface_.longest_wave(),
+               [this](double wavenumber, std::span<complex> values) { values[0] = transform(wavenumber); }) {}
+  AddedAlongAxle(const AddedAlongAxle&) = delete;
+  AddedAlongAxle& operator=(const AddedAlongAxle&) = delete;
+
+  double operator()(double x) const {
+    return table_(0, x / depth_)(0) + lacking_ * std::log(x * x + 4 * depth_ * depth_) / (2 * M_PI);
+  }
+
+ private:
+  complex transform(double k) const {
+    const double along = k / depth_;
+    const SteadySurface::Moduli moduli = surface_.moduli(along);
+    const complex added = along * surface_(moduli, along, 0).transverse - surface_.half_spaces(moduli).transverse;
+    return (average_over_cell(along, cell_) * added + std::exp(-2 * k) * lacking_) / (M_PI * k);
+  }
+
+  SteadySurface surface_;
+  double depth_, cell_;
+  double lacking_;  // of long waves against the half-spaces at rest, times the wavenumber [1/Pa]
+  FourierTable table_;
+};
+
+}  // namespace
+
+std::vector<double> axial_coefficients(const ContactModel& model, const SurfaceGrid& grid, int reach_x) {
+  if (const double left = left_after_turn(model); model.ring() && left > recovered(model))
+    throw std::domain_error(message_text("the cover has not recovered when it comes round again, ", left,
+                                         " is left: not with a skew_angle or an axial_force"));
+  const double cell = grid.spacing_x, wave_speed = model.inertia ? model.speed : 0;
+  const MemoryRange told_apart = memory_range(model.speed, cell, std::max(reach_x * cell, finite_thickness(model)));
+  InfluenceTable table(reach_x, 0);
+  const auto add = [&](const LayeredMedium& medium, bool ahead) {
+    if (medium.empty()) return;
+    const InfluenceTable near = shared_passage_kernel(2, Layer(INFINITY, 0.5), cell, grid.spacing_y, reach_x, 0)
+                                    ->table(near_creep(medium, wave_speed), model.speed, reach_x, 0);
+    table.add_coating(ahead ? near.reversed() : near);
+  };
+  add(foundation_of(model, told_apart), false);
+  add(coating_of(model, told_apart), coating_remembers_ahead(model));
+  if (std::isfinite(nearest_interface(model))) {
+    const AddedAlongAxle added(model, cell, told_apart);
+    for (int column = -reach_x; column <= reach_x; ++column)
+      table.ww[static_cast<std::size_t>(table.index(column, 0))] += added(column * cell);
+  }
+  return std::move(table.ww);
+}
+
+}  // namespace rollres
