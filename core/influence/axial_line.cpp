@@ -4,13 +4,13 @@
 #include <cmath>
 #include <complex>
 #include <span>
-#include <stdexcept>
 #include <utility>
 
 #include "core/influence/influence.hpp"
+#include "core/influence/line_passage.hpp"
 #include "core/influence/passage_kernel.hpp"
-#include "core/messages/message_text.hpp"
 #include "core/model/contact_surface.hpp"
+#include "core/numerics/memory_functions.hpp"
 #include "core/surface/fourier_table.hpp"
 #include "core/surface/medium_expansion.hpp"
 
@@ -73,12 +73,34 @@ class AddedAlongAxle {
   FourierTable table_;
 };
 
+/// What a ring still has of the same line force one turn, two turns, ... ago, as `EarlierTurns` of line_passage.cpp has
+/// it. @param alone the ring as a layer on a rigid base
+void add_earlier_turns(InfluenceTable& table, const ContactModel& alone, double cell, const MemoryRange& told_apart,
+                       bool ahead) {
+  const AddedAlongAxle added(alone, cell, told_apart);
+  const CreepSpectrum creep = foundation_of(alone, told_apart).front().material;
+  const double turn = 2 * M_PI * alone.radius;
+  const auto far = [&](double x) {
+    const double logarithm = std::log(std::abs(x));
+    double pole = creep.instantaneous * logarithm;
+    for (const CreepSpectrum::Term& term : creep.terms) {
+      const double length = term.time * alone.speed;
+      pole += term.compliance * (logarithm + length * remembered_pole(x, length));
+    }
+    return added(x) - pole / M_PI;
+  };
+  InfluenceTable earlier(table.reach_x(), 0);
+  for (int column = -table.reach_x(); column <= table.reach_x(); ++column) {
+    double& sum = earlier.ww[static_cast<std::size_t>(table.index(column, 0))];
+    for (int turns = turns_felt(alone); turns > 0; --turns)
+      sum += far(column * cell + turns * turn) + far(column * cell - turns * turn);
+  }
+  table.add_coating(ahead ? earlier.reversed() : earlier);
+}
+
 }  // namespace
 
 std::vector<double> axial_coefficients(const ContactModel& model, const SurfaceGrid& grid, int reach_x) {
-  if (const double left = left_after_turn(model); model.ring() && left > recovered(model))
-    throw std::domain_error(message_text("the cover has not recovered when it comes round again, ", left,
-                                         " is left: not with a skew_angle or an axial_force"));
   const double cell = grid.spacing_x, wave_speed = model.inertia ? model.speed : 0;
   const MemoryRange told_apart = memory_range(model.speed, cell, std::max(reach_x * cell, finite_thickness(model)));
   InfluenceTable table(reach_x, 0);
@@ -95,6 +117,9 @@ std::vector<double> axial_coefficients(const ContactModel& model, const SurfaceG
     for (int column = -reach_x; column <= reach_x; ++column)
       table.ww[static_cast<std::size_t>(table.index(column, 0))] += added(column * cell);
   }
+  if (model.ring() && left_after_turn(model) > recovered(model))
+    add_earlier_turns(table, model.coating.empty() ? model : coating_alone(model), cell, told_apart,
+                      coating_remembers_ahead(model));
   return std::move(table.ww);
 }
 

@@ -12,7 +12,7 @@ namespace rollres {
 
 /// C_vv of a cylinder in a single passage over any layered surface, at offsets of -reach_x to reach_x columns [m2/N]:
 /// the half-spaces next to the contact by their creep, and what the layers add as in (K9).
-/// @param model of a cylinder, without period; rings have recovered when they come round
+/// @param model of a cylinder, without period
 std::vector<double> axial_coefficients(const ContactModel& model, const SurfaceGrid& grid, int reach_x);
 
 }  // namespace rollres

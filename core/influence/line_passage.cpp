@@ -152,18 +152,6 @@ class EarlierTurns {
 
  private:
   static constexpr int nodes = 24;
-  /// Turns until nothing is left of the longest memory, e^-30, or until what is left is the same along the contact.
-  static int turns_felt(const ContactModel& alone) {
-    double memory = 0, thickness = 0;
-    for (const ModelLayer& ring : alone.foundation) {
-      thickness += ring.layer_thickness;
-      for (const CreepSpectrum::Term& term : ring.creep.terms) memory = std::max(memory, alone.speed * term.time);
-    }
-    constexpr double most = 40;
-    return static_cast<int>(
-        std::clamp(std::ceil(30 * std::max(memory, 2 * thickness) / (2 * M_PI * alone.radius)), 1.0, most));
-  }
-
   LayerSlopes sum_of_turns(double x) const {
     LayerSlopes sum = LayerSlopes::Zero();
     for (int turn = 1; turn <= turns_; ++turn) sum += at(x + turn * turn_) + at(x - turn * turn_);
@@ -213,6 +201,17 @@ void add_earlier_turns(InfluenceTable& table, const ContactModel& model, double 
 }
 
 }  // namespace
+
+int turns_felt(const ContactModel& alone) {
+  double memory = 0, thickness = 0;
+  for (const ModelLayer& ring : alone.foundation) {
+    thickness += ring.layer_thickness;
+    for (const CreepSpectrum::Term& term : ring.creep.terms) memory = std::max(memory, alone.speed * term.time);
+  }
+  constexpr double most = 40;
+  return static_cast<int>(
+      std::clamp(std::ceil(30 * std::max(memory, 2 * thickness) / (2 * M_PI * alone.radius)), 1.0, most));
+}
 
 double line_expansion_error(const ContactModel& model) {
   return model.inertia ? near_spectra(model, foundation_of(model), coating_of(model))->error : 0;

@@ -15,6 +15,10 @@ namespace rollres {
 /// @param scene of a cylinder, without period
 InfluenceTable line_passage_table(const ContactModel& model, const SurfaceGrid& grid, int reach_x);
 
+/// Turns of a ring until nothing is left of its longest memory, e^-30, or until what is left is the same along the
+/// contact. @param alone the ring as a layer on a rigid base
+int turns_felt(const ContactModel& alone);
+
 /// Largest relative error of the expansion that it contains: 0 without inertia.
 double line_expansion_error(const ContactModel& model);
 

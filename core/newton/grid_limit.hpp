@@ -15,9 +15,9 @@ struct GridNumbers {
 
 /// A number of four grids, each of half the spacing of the one before.
 struct GridLimit {
-  double share = 0;      ///< of the last change that is still to come, 0 to 1: 1 where changes halve twice running
-  double to_come = 0;    ///< that share of it
-  double last_step = 0;  ///< by which this limit differs from that of the grid before
+  double share = 0;    ///< of the last change that is still to come, 0 to 1: 1 where changes halve twice running
+  double to_come = 0;  ///< that share of it
+  double error = 0;    ///< of the full limit, estimated: its own last change, and a quarter of what was to come
 
   GridLimit() = default;
   /// @param most  of the share
@@ -28,8 +28,8 @@ struct GridLimit {
 GridLimit limit_of(const std::vector<GridNumbers>& coarser, const GridNumbers& finest, double GridNumbers::*number,
                    double most = 1);
 
-/// An estimate of the error of a number where its limit is taken, by as much as it is.
-/// @param estimate of the finest grid's own
-double error_at_limit(const GridLimit& limit, double estimate);
+/// What finer grids may still change in a number whose limit is taken, by as much as it is.
+/// @param change  that they may in the finest grid's own
+double change_at_limit(const GridLimit& limit, double change);
 
 }  // namespace rollres

@@ -169,7 +169,7 @@ double NestedOutcome::error_estimate(const GridError& error, double resistance) 
   const double to_come = tied ? expected_change_of_tied_line(last, change_before, finest.powers)
                               : expected_change(finest.problem->model.dimension, last, change_before, finest.powers,
                                                 edge_trust(finest.problem->model, finest.edge.trust, error));
-  return error_at_limit(limit(&GridNumbers::resistance), error.estimate(resistance, to_come)) +
+  return error.estimate(resistance, change_at_limit(limit(&GridNumbers::resistance), to_come)) +
          rounding * finest.powers.halves;
 }
 

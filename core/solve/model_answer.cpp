@@ -59,7 +59,7 @@ RollingSolution solve_by_method(const ContactModel& model, std::optional<FoundZo
   } else {
     const bool asked = model.asked_method != Method::automatic || model.dimension == 3 || model.spacing;
     if (!asked) why_on_grid = spectral_refusal(model);
-    solution = solve_on_grids(model, most_nodes(model));
+    solution = model.skewed() && !asked ? solve_in_place_of_edges(model) : solve_on_grids(model, most_nodes(model));
   }
   if (why_on_grid.empty()) return solution;
   if (solution.status == Status::converged)

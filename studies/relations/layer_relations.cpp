@@ -147,6 +147,7 @@ RelatedPair weightless(Dice& dice, RollingScene scene) {
 /// On elastic layers a cylinder that slides forwards everywhere is the mirror image of one that slides backwards. It
 /// slides so where the creepage is larger than the strains along the surface, of about the approach over the depth.
 RelatedPair mirrored(Dice& dice, RollingScene scene) {
+  scene.skew_angle.reset();
   for (MaterialInputs* const layer : layer_materials(scene)) {
     if (!layer->static_shear_modulus) return {};
     layer->material = MaterialModel::elastic;

@@ -34,7 +34,9 @@ constexpr std::array<Relation, 15> all_relations{{
     {"scaled", "lengths, moduli and times in other units", all_scaled},
     {"speed and memories", "a speed times a number, all times over it", speed_scaled},
     {"whole width", "loads and torques of a cylinder's whole width for those per metre", whole_width, false},
-    {"given back", "load given, approach found and given in its place, or the other way round", given_back},
+    {"given back",
+     "load given, approach found and given in its place, or the other way round; skew and axial force likewise",
+     given_back},
     {"exchanged", "without friction, the body's coating for what lies below", exchanged},
     {"weightless", "inertia of layers that weigh next to nothing for none", weightless},
     {"mirrored", "on elastic layers, sliding forwards for sliding backwards", mirrored, false},
@@ -86,6 +88,14 @@ void draw_sphere_method(Dice& dice, RollingScene& scene) {
   scene.tolerance = 1e-2;
 }
 
+/// Turns the axle of one in four of those cylinders that may be askew.
+void draw_skew(Dice& dice, RollingScene& scene) {
+  const bool solved =
+      scene.method == Method::automatic || scene.method == Method::newton || scene.method == Method::newton_dense;
+  if (dimension_of(scene.indenter) == 3 || !solved || scene.kinematics == Kinematics::printed) return;
+  if (dice.choice(4) == 0) scene.skew_angle = rounded(dice.signed_log_uniform(1e-4, 0.3));
+}
+
 RollingScene scene_to_relate(Dice& dice, RollingScene scene) {
   if (dice.choice(3) == 0) leave_friction_out(scene);
   if (dice.choice(4) != 0) scene.inertia = Inertia::off;
@@ -99,6 +109,7 @@ RollingScene scene_to_relate(Dice& dice, RollingScene scene) {
     draw_sphere_method(dice, scene);
   else
     draw_cylinder_method(dice, scene);
+  draw_skew(dice, scene);
   return scene;
 }
 
@@ -116,7 +127,7 @@ std::span<const Relation> relations() { return all_relations; }
 RelatedScenes related_scenes(const Relation& relation, Indenter indenter, std::uint64_t seed, std::size_t number,
                              Spectra spectra) {
   RollingSolution found;  // an answer that gives the other scene something to be checked with
-  found.load = found.approach = 1e-4;
+  found.load = found.approach = found.axial_force = 1e-4;
   std::uint64_t named = mixed(mixed(seed) + number);
   for (const char letter : relation.name) named = mixed(named + static_cast<unsigned char>(letter));
   constexpr std::uint64_t most_attempts = 10'000;  // a hundred are seldom needed

@@ -46,7 +46,7 @@ RelatedPair whole_width(Dice& dice, RollingScene scene) {
   look_inside(dice, scene);
   RollingScene other = scene;
   other.width = width;
-  for (std::optional<double>* const given : {&other.load, &other.driving_torque})
+  for (std::optional<double>* const given : {&other.load, &other.driving_torque, &other.axial_force})
     if (*given) **given *= width;
   RelatedScenes pair{.one = scene, .other = known_scene(other), .width = width};
   pair.strict = true;
@@ -54,6 +54,15 @@ RelatedPair whole_width(Dice& dice, RollingScene scene) {
 }
 
 RelatedPair given_back(Dice&, RollingScene scene) {
+  if (scene.skew_angle && scene.friction_coefficient > 0) {
+    const auto other = [scene](const RollingSolution& found) {
+      RollingScene back = scene;
+      back.skew_angle.reset();
+      back.axial_force = found.axial_force;
+      return back;
+    };
+    return RelatedScenes{.one = scene, .other = other, .sensitivity = 5};
+  }
   if (!why_absent(scene, "approach").empty()) return {};
   const auto other = [scene](const RollingSolution& found) {
     RollingScene back = scene;

@@ -70,6 +70,8 @@ std::string padded(std::string_view text, std::size_t columns) {
 
 namespace {
 
+ScaledUnit degrees() { return {"°", M_PI / 180}; }
+
 struct Prefix {
   std::string_view name;
   int thousands;  // factor = 1000^thousands
@@ -109,6 +111,7 @@ ScaledUnit with_prefix(std::string_view unit, int thousands) {
 
 ScaledUnit scaled_unit(std::string_view unit, double size) {
   if (unit == "1" || unit.empty()) return {};
+  if (unit == "rad") return degrees();
   const Prefixed* const known = prefixed_unit(unit);
   size = std::abs(size);
   if (!known || size == 0 || !std::isfinite(size)) return {std::string(unit), 1.0};
@@ -120,6 +123,7 @@ ScaledUnit scaled_unit(std::string_view unit, double size) {
 ScaledUnit scaled_unit_logarithmic(std::string_view unit, double smallest, double largest) {
   if (!(smallest > 0) || !std::isfinite(largest)) return scaled_unit(unit, largest);
   if (unit == "1" || unit.empty()) return {};
+  if (unit == "rad") return degrees();
   const Prefixed* const known = prefixed_unit(unit);
   constexpr double rounding = 1 + 1e-6, most = 1e4;
   if (!known || (largest * rounding >= 1 && largest <= most * rounding)) return {std::string(unit), 1.0};

@@ -37,8 +37,9 @@ ut_system* unit_system() {
     System read(ut_read_xml(nullptr));
     if (!read)
       throw std::runtime_error("the database of units (udunits2) cannot be read; is libudunits2-data installed?");
-    // Speeds of vehicles and belts that the library lacks.
-    for (const auto& [name, meaning] : {std::pair{"mph", "mile/hour"}, std::pair{"fpm", "foot/minute"}}) {
+    // Speeds of vehicles and belts that the library lacks, and the usual name of a degree.
+    for (const auto& [name, meaning] :
+         {std::pair{"mph", "mile/hour"}, std::pair{"fpm", "foot/minute"}, std::pair{"deg", "arc_degree"}}) {
       const Unit unit(ut_parse(read.get(), meaning, UT_ASCII));
       ut_map_name_to_unit(name, UT_ASCII, unit.get());
     }
@@ -168,6 +169,7 @@ std::string unit_in_words(std::string_view unit) {
                                                                      {"W/m", "power per length"},
                                                                      {"kg/m3", "density"},
                                                                      {"rad/s", "rotational speed"},
+                                                                     {"rad", "angle"},
                                                                      {"K", "temperature"},
                                                                      {"Hz", "frequency"},
                                                                      {"J/mol", "molar energy"}};
