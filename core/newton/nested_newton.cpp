@@ -169,7 +169,7 @@ double NestedOutcome::error_estimate(const GridError& error, double resistance) 
   const double to_come = tied ? expected_change_of_tied_line(last, change_before, finest.powers)
                               : expected_change(finest.problem->model.dimension, last, change_before, finest.powers,
                                                 edge_trust(finest.problem->model, finest.edge.trust, error));
-  return error.estimate(resistance, change_at_limit(limit(&GridNumbers::resistance), to_come)) +
+  return error.estimate(resistance, limit(&GridNumbers::resistance).change_left(to_come)) +
          rounding * finest.powers.halves;
 }
 
@@ -183,8 +183,11 @@ GridNumbers NestedOutcome::numbers() const {
           finest.problem->axial_force(x.shear_y)};
 }
 
-GridLimit NestedOutcome::limit(double GridNumbers::*number) const {
-  return tied ? limit_of(coarser, numbers(), number, 1 - finest.error.slow_share) : GridLimit();
+HalvingLimit NestedOutcome::limit(double GridNumbers::*number) const {
+  if (!tied || coarser.size() < 3) return {};
+  const auto last = coarser.end();
+  return HalvingLimit({last[-3].*number, last[-2].*number, last[-1].*number, numbers().*number},
+                      1 - finest.error.slow_share);
 }
 
 double NestedOutcome::error_estimate() const {

@@ -5,10 +5,15 @@
 
 #include <functional>
 
-#include "core/newton/grid_limit.hpp"
 #include "core/newton/grid_series.hpp"
+#include "core/numerics/halving_limit.hpp"
 
 namespace rollres {
+
+/// Of one grid: R_r and the axial force [N/m], and R Omega/V [1].
+struct GridNumbers {
+  double resistance = 0, rotation_ratio = 0, axial_force = 0;
+};
 
 struct NestedOutcome {
   ContactLevel finest;
@@ -17,8 +22,9 @@ struct NestedOutcome {
   double change_before = RollingSolution::absent;  // what R_r was expected to change on the last of them; NaN: unknown
   double last_change() const;                      // of R_r; NaN without a coarser grid [N]
   GridNumbers numbers() const;                     // of the finest
-  /// What one of them tends to; of tied grids alone, and less so where slow rolling takes their place.
-  GridLimit limit(double GridNumbers::*number) const;
+  /// What one of them tends to: where friction decides, the half cell between the law's slip and its traction leaves an
+  /// error that halves with the spacing of tied grids. Less so where slow rolling takes their place.
+  HalvingLimit limit(double GridNumbers::*number) const;
   /// Estimated error of a rolling resistance [N] (core/newton/README.md, (N22)).
   double error_estimate(const GridError& error, double resistance) const;
   /// The same of what the finest grid itself says, relative; at least what the power balance misses, if that is much.

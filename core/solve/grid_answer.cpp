@@ -93,8 +93,9 @@ NestedOutcome solve_nested_to_tolerance(const ContactModel& model, int most_node
 void take_limits(const NestedOutcome& nested, RollingSolution& solution) {
   const ContactModel& model = nested.finest.problem->model;
   if (model.friction_coefficient == 0) return;
-  const GridLimit resistance = nested.limit(&GridNumbers::resistance),
-                  turning = nested.limit(&GridNumbers::rotation_ratio), axial = nested.limit(&GridNumbers::axial_force);
+  const HalvingLimit resistance = nested.limit(&GridNumbers::resistance),
+                     turning = nested.limit(&GridNumbers::rotation_ratio),
+                     axial = nested.limit(&GridNumbers::axial_force);
   if (resistance.share == 0 && turning.share == 0 && axial.share == 0) return;
   solution.rolling_resistance += resistance.to_come;
   solution.rolling_resistance_coefficient = solution.rolling_resistance / solution.load;

@@ -7,8 +7,6 @@
 #include "tests/catch.hpp"
 #include "tests/core/paper_scenes.hpp"
 
-// Covers core/influence/axial_line.cpp and core/newton/grid_limit.cpp, too.
-
 using namespace rollres;
 
 namespace {

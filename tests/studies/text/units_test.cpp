@@ -66,8 +66,11 @@ TEST_CASE("every unit of an input is read back as itself, with and without a pre
       CHECK(unit_in_words(unit).find("converts") == std::string::npos);
       for (const double value : {2.5e-7, 0.0125, 0.4, 7.0, 31250.0, 2e8}) {
         INFO(readable(value, unit));
-        // "kkg/m3" is no unit: density takes no prefix, and is then written as it is
-        CHECK(si_value(readable(value, unit), unit) == value);
+        // "kkg/m3" is no unit: density takes no prefix, and is then written as it is; angles are told in degrees
+        if (unit == "rad")
+          CHECK(si_value(readable(value, unit), unit) == Approx(value).epsilon(1e-4));
+        else
+          CHECK(si_value(readable(value, unit), unit) == value);
       }
     }
 }

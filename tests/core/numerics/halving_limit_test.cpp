@@ -1,4 +1,4 @@
-#include "core/newton/grid_limit.hpp"
+#include "core/numerics/halving_limit.hpp"
 
 #include "core/solve/rolling_contact.hpp"
 #include "tests/catch.hpp"
@@ -6,22 +6,22 @@
 
 using namespace rollres;
 
-TEST_CASE("changes that halve twice running tell the limit, others tell none", "[core][grid_limit]") {
+TEST_CASE("changes that halve twice running tell the limit, others tell none", "[core][halving_limit]") {
   // 5 + 3 h + 0.1 h^2 at h = 1, 1/2, 1/4, 1/8
   const auto at = [](double h) { return 5 + 3 * h + 0.1 * h * h; };
-  const GridLimit first({at(1), at(0.5), at(0.25), at(0.125)});
+  const HalvingLimit first({at(1), at(0.5), at(0.25), at(0.125)});
   CHECK(first.share == 1);
   CHECK(at(0.125) + first.to_come == Approx(5).margin(4e-3));
   CHECK(first.error >= 4e-3);
   // Of second order, without an order, and with a change missing.
-  CHECK(GridLimit({6.0, 5.25, 5.0625, 5.015625}).share == 0);
-  CHECK(GridLimit({5.0, 5.1, 4.9, 5.05}).share == 0);
-  CHECK(GridLimit({5.0, 5.0, 5.0, 5.0}).to_come == 0);
-  CHECK(GridLimit({5.0, 5.0, 5.1, 5.15}).share == 0);
+  CHECK(HalvingLimit({6.0, 5.25, 5.0625, 5.015625}).share == 0);
+  CHECK(HalvingLimit({5.0, 5.1, 4.9, 5.05}).share == 0);
+  CHECK(HalvingLimit({5.0, 5.0, 5.0, 5.0}).to_come == 0);
+  CHECK(HalvingLimit({5.0, 5.0, 5.1, 5.15}).share == 0);
   // Smooth in between.
   double before = 0;
   for (double ratio = 1.3; ratio < 2; ratio += 0.01) {
-    const double share = GridLimit({0.0, 1.0, 1 + 1 / ratio, 1 + 1 / ratio + 1 / (ratio * ratio)}).share;
+    const double share = HalvingLimit({0.0, 1.0, 1 + 1 / ratio, 1 + 1 / ratio + 1 / (ratio * ratio)}).share;
     CHECK(share >= before);
     CHECK(share < before + 0.12);
     before = share;
@@ -29,7 +29,7 @@ TEST_CASE("changes that halve twice running tell the limit, others tell none", "
   CHECK(before == 1);
 }
 
-TEST_CASE("a driven cylinder's grid tends to what continuous edges say", "[core][grid_limit]") {
+TEST_CASE("a driven cylinder's grid tends to what continuous edges say", "[core][halving_limit]") {
   RollingScene scene = paper_cylinder();
   scene.kinematics = Kinematics::consistent;
   scene.spacing.reset();

@@ -1,4 +1,4 @@
-#include "core/newton/grid_limit.hpp"
+#include "core/numerics/halving_limit.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -19,23 +19,12 @@ double halves(double change, double next) {
 
 }  // namespace
 
-GridLimit::GridLimit(const std::array<double, 4>& values, double most) {
+HalvingLimit::HalvingLimit(const std::array<double, 4>& values, double most) {
   const double first = values[1] - values[0], second = values[2] - values[1], third = values[3] - values[2];
   share = most * halves(first, second) * halves(second, third);
   to_come = share * third;
   constexpr double open = 0.25;  // on random scenes up to 0.2 of it was
   error = std::hypot(2 * third - second, open * third);
-}
-
-GridLimit limit_of(const std::vector<GridNumbers>& coarser, const GridNumbers& finest, double GridNumbers::*number,
-                   double most) {
-  if (coarser.size() < 3) return {};
-  const auto last = coarser.end();
-  return GridLimit({last[-3].*number, last[-2].*number, last[-1].*number, finest.*number}, most);
-}
-
-double change_at_limit(const GridLimit& limit, double change) {
-  return (1 - limit.share) * change + limit.share * limit.error;
 }
 
 }  // namespace rollres
