@@ -1,6 +1,7 @@
 #include "core/interior/interior_summary.hpp"
 
 #include <algorithm>
+#include <stdexcept>
 #include <cmath>
 
 #include "core/interior/cylinder_inside.hpp"
@@ -65,11 +66,23 @@ void turn_upwards(InteriorSection& section) {
   }
 }
 
+namespace {
+
+/// The inside of a cylinder is that of its plane: shear along the axle is no part of it.
+void require_plane(const ContactModel& model) {
+  if (model.dimension == 2 && model.lateral())
+    throw std::domain_error("the inside of the layers is not computed of a skewed cylinder");
+}
+
+}  // namespace
+
 InteriorSummary interior_summary(const ContactModel& model, const SurfaceFields& fields, InteriorField::Detail detail) {
+  require_plane(model);
   return model.dimension == 3 ? sphere_summary(model, fields, detail) : cylinder_summary(model, fields, detail);
 }
 
 std::vector<InteriorSection> interior_sections(const ContactModel& model, const SurfaceFields& fields) {
+  require_plane(model);
   return model.dimension == 3 ? sphere_sections(model, fields) : cylinder_sections(model, fields);
 }
 

@@ -61,7 +61,7 @@ std::string broken_for_finite_strain(const ContactModel& model) {
 /// The same for what asks for the inside of the layers (core/interior); `key` is what asks, with its value.
 std::string broken_for_interior(const RollingScene& scene, const std::string& key) {
   if (scene.period) return key + ": not with a period";
-  if (scene.skew_angle.value_or(0) != 0 || scene.axial_force) return key + ": not of a skewed cylinder";
+  if (is_skewed(scene)) return key + ": not of a skewed cylinder";
   if (scene.method == Method::finite_strain) return key + ": not with method \"finite_strain\"";
   return {};
 }
@@ -202,7 +202,7 @@ void check_skew(const RollingScene& scene, BrokenRules& broken) {
   };
   only(dimension_of(scene.indenter) == 2, "only for a cylinder");
   if (scene.axial_force) only(scene.friction_coefficient > 0, "needs a friction_coefficient > 0");
-  if (scene.skew_angle && *scene.skew_angle == 0) return;
+  if (!is_skewed(scene)) return;
   only(scene.kinematics == Kinematics::consistent, "only with kinematics \"consistent\"");
   only(scene.method == Method::automatic || scene.method == Method::newton || scene.method == Method::newton_dense ||
            scene.friction_coefficient == 0,

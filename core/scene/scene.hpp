@@ -206,6 +206,9 @@ void visit_inputs(Scene& scene, Visitor&& visitor) {
 /// Keys of all inputs, in the order of the list.
 std::vector<std::string_view> input_keys();
 
+/// Whether a cylinder's axle is turned, or bears a force that turns it.
+inline bool is_skewed(const RollingScene& scene) { return scene.skew_angle.value_or(0) != 0 || scene.axial_force; }
+
 /// The body on which the units of the scene and of its answer depend.
 inline Body body_of(const RollingScene& scene) { return {scene.indenter, scene.width.has_value()}; }
 

@@ -43,6 +43,11 @@ void take_over_what_was_asked(const RollingScene& scene, RollingSolution& soluti
   if (felt && scene.drive == Drive::torque && scene.driving_torque) solution.driving_torque = *scene.driving_torque;
   if (felt && scene.drive == Drive::free && std::isfinite(solution.driving_torque)) solution.driving_torque = 0;
   if (scene.drive == Drive::rotation && scene.rotation_ratio) solution.rotation_ratio = *scene.rotation_ratio;
+  if (scene.skew_angle) solution.skew_angle = *scene.skew_angle;
+  if (scene.skew_angle && !is_skewed(scene) && solution.status == Status::converged) {
+    solution.axial_force = solution.creepage_y = 0;
+    solution.creepage_x = 1 - solution.rotation_ratio;
+  }
 }
 
 /// What `solved` answers, or the reason why there is no answer by this method.

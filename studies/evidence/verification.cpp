@@ -170,6 +170,33 @@ void check_carter(Checks& checks) {
       {"driven cylinder on a half-space: torque", "Carter (1926)", "N", torque, s.driving_torque, 2e-5, allowance});
   checks.add({"driven cylinder on a half-space: loss to friction", "Carter (1926)", "W/m",
               carter.rolling_resistance * scene.speed, s.frictional_loss, 2e-5, allowance});
+
+  // Along the axle a half-space of ν = 1/2 yields twice as much as across it.
+  RollingScene askew = on_half_space(Indenter::cylinder);
+  askew.friction_coefficient = 0.3;
+  askew.kinematics = Kinematics::consistent;
+  askew.drive = Drive::free;
+  constexpr double stick = 0.6;  // of the contact's length
+  const double half_width = hertz_line(askew.radius, *askew.load, shear_modulus).half_width;
+  askew.skew_angle = std::atan(2 * askew.friction_coefficient * (1 - stick) * half_width / askew.radius);
+  checks.add({"cylinder askew on a half-space: axial force", "Carter (1926)", "N/m",
+              -(1 - stick * stick) * askew.friction_coefficient * *askew.load, checks.solve(askew).axial_force, 2e-4,
+              "the default grid"});
+}
+
+/// By FFT on uniform cells, its own straight cylinder being 2e-4 off the continuous one.
+void check_skewed_paper_cylinder(Checks& checks) {
+  struct Row {
+    double degrees, resistance;
+  };
+  for (const auto& [degrees, resistance] : {Row{0.5, 370.27}, {1, 384.84}, {3, 508.9}}) {
+    RollingScene scene = without_grid(paper_scene("paper_cylinder"));
+    scene.kinematics = Kinematics::consistent;
+    scene.drive = Drive::free;
+    scene.skew_angle = degrees * M_PI / 180;
+    checks.add({"paper's cylinder, skew " + short_number(degrees) + "°: R_r", "independent program by FFT", "N/m",
+                resistance, checks.solve(scene).rolling_resistance, 2e-3, "its cells"});
+  }
 }
 
 constexpr double rollers_half_width = 1e-4;  // of Hertz [m]
@@ -317,6 +344,7 @@ std::vector<VerificationRow> verify(const Evaluate& evaluate) {
   check_hunter(checks);
   check_contact_program(checks);
   check_carter(checks);
+  check_skewed_paper_cylinder(checks);
   check_rollers(checks);
   check_contact_rollers(checks);
   check_two_spheres(checks);

@@ -147,6 +147,7 @@ PictureText traction_lines(const Figure& figure, const FigureSource& source, con
   if (friction > 0) {
     const std::string bound = "lw 1.5 dt (2,3) lc rgb '#444444'";
     plot.lines.push_back({"τ_xz", fields.shear_x, 1, "lw 2.5 lc rgb '#0072B2'"});
+    if (!fields.shear_y.empty()) plot.lines.push_back({"τ_yz", fields.shear_y, 1, "lw 2.5 dt (5,4) lc rgb '#009E73'"});
     plot.lines.push_back({"-μσ_z", fields.pressure, friction, bound});
     plot.lines.push_back({"±μσ_z", fields.pressure, -friction, bound});
   }

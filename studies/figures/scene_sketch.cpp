@@ -365,6 +365,7 @@ class SceneSketch {
     const double v_at = whole ? centre + 0.45 * r : axis;
     arrow({v_from, v_at}, {v_to, v_at}, motion);
     label(speed, {0.5 * (v_from + v_to), v_at + 18 * pixel()}, "center", 16, named("V", speed));
+    draw_skew({0.99 * half_width_, v_at});
 
     const double drive = answered_ ? solution_.driving_force : RollingSolution::absent;
     const std::string push =
@@ -387,6 +388,19 @@ class SceneSketch {
     } else {
       label("locked", {0.2 * r, centre - 0.4 * r}, "center", 16);
     }
+  }
+
+  /// The angle of a skewed cylinder's axle and the force along it, below the speed and left of a place.
+  void draw_skew(const Point& below) {
+    const auto tell = [&](std::string_view symbol, double found, std::optional<double> given, std::string_view key,
+                          int line) {
+      const double value = answered_ && std::isfinite(found) ? found : given.value_or(RollingSolution::absent);
+      if (!std::isfinite(value)) return;
+      const std::string words = shown(value, real_output(key).unit_for(body_of(scene_)));
+      label(words, {below[0], below[1] - 24 * line * pixel()}, "right", 16, named(symbol, words));
+    };
+    tell("α", solution_.skew_angle, scene_.skew_angle, "skew_angle", 1);
+    tell("F_a", solution_.axial_force, scene_.axial_force, "axial_force", 2);
   }
 
   /// A bar of a round length, in the lower right corner.

@@ -8,9 +8,9 @@
 
 #include "core/newton/surface_window.hpp"
 #include "studies/scene_io/solution_json.hpp"
-#include "studies/text/vtk_array.hpp"
 #include "studies/text/files.hpp"
 #include "studies/text/readable_number.hpp"
+#include "studies/text/vtk_array.hpp"
 
 namespace rollres {
 
@@ -23,7 +23,8 @@ struct Column {
   std::vector<double> values;
 };
 
-std::vector<Column> columns_of(const RollingScene& scene, const SurfaceFields& fields) {
+/// @param speed  over which slips are told: square to the axle of a skewed cylinder [m/s]
+std::vector<Column> columns_of(double speed, const SurfaceFields& fields) {
   std::vector<Column> columns;
   auto add = [&](const char* name, const char* unit, const std::vector<double>& values, double factor) {
     if (values.empty()) return;  // y in two dimensions
@@ -37,9 +38,13 @@ std::vector<Column> columns_of(const RollingScene& scene, const SurfaceFields& f
   add("sigma_z", "Pa", fields.pressure, -1.0);
   add("tau_xz", "Pa", fields.shear_x, 1.0);
   add("tau_yz", "Pa", fields.shear_y, 1.0);
-  add("slip_x", "m/s", fields.slip_x, scene.speed);
-  add("slip_y", "m/s", fields.slip_y, scene.speed);
+  add("slip_x", "m/s", fields.slip_x, speed);
+  add("slip_y", "m/s", fields.slip_y, speed);
   return columns;
+}
+
+double slip_speed(const RollingScene& scene, const RollingSolution& solution) {
+  return scene.speed * (std::isfinite(solution.skew_angle) ? std::cos(solution.skew_angle) : 1);
 }
 
 std::string triple(double x, double y, double z) { return shortest(x) + ' ' + shortest(y) + ' ' + shortest(z); }
@@ -79,9 +84,9 @@ std::vector<double> body_surface(const RollingScene& scene, const SurfaceGrid& g
 
 }  // namespace
 
-std::string fields_csv(const RollingScene& scene, const SurfaceFields& fields) {
+std::string fields_csv(const RollingScene& scene, const SurfaceFields& fields, const RollingSolution& solution) {
   const bool sphere = dimension_of(scene.indenter) == 3;
-  const std::vector<Column> columns = columns_of(scene, fields);
+  const std::vector<Column> columns = columns_of(slip_speed(scene, solution), fields);
   std::string text = sphere ? "x [m],y [m]" : "x [m]";
   for (const Column& column : columns) text += ',' + column.name + " [" + column.unit + ']';
   text += ",zone\n";
@@ -98,7 +103,7 @@ std::string fields_csv(const RollingScene& scene, const SurfaceFields& fields) {
 }
 
 std::string fields_vti(const RollingScene& scene, const SurfaceFields& fields, const RollingSolution& solution) {
-  std::vector<Column> columns = columns_of(scene, fields);
+  std::vector<Column> columns = columns_of(slip_speed(scene, solution), fields);
   std::erase_if(columns, [](const Column& column) {
     return !std::all_of(column.values.begin(), column.values.end(), [](double value) { return std::isfinite(value); });
   });
@@ -144,7 +149,7 @@ std::string fields_vti(const RollingScene& scene, const SurfaceFields& fields, c
 void write_fields(const std::filesystem::path& directory, const RollingScene& scene, const SurfaceFields& fields,
                   const RollingSolution& solution) {
   make_directory(directory);
-  write_file(directory / "fields.csv", fields_csv(scene, fields));
+  write_file(directory / "fields.csv", fields_csv(scene, fields, solution));
   write_file(directory / "fields.vti", fields_vti(scene, fields, solution));
 }
 

@@ -13,7 +13,7 @@ namespace rollres {
 /// One line for each node, x running fastest, under a header with units: x, y [m], displacements w, u, v [m], tractions
 /// on the layer sigma_z, tau_xz, tau_yz [Pa], slip velocities of the body relative to the layer slip_x, slip_y [m/s],
 /// zone (free, stick, slip). For a cylinder without what belongs to y. Unknown numbers are empty.
-std::string fields_csv(const RollingScene& scene, const SurfaceFields& fields);
+std::string fields_csv(const RollingScene& scene, const SurfaceFields& fields, const RollingSolution& solution);
 
 /// The same as VTK XML image data, as ParaView opens it: each column under its name, "sigma_z [Pa]", zone as 0, 1, 2,
 /// and the vectors "displacement [m]" to warp by, "traction [Pa]" on the layer, "velocity [m/s]" of its surface in the

@@ -6,9 +6,9 @@
 
 #include "core/derivatives/objective.hpp"
 #include "core/scene/layer_name.hpp"
-#include "studies/text/vtk_array.hpp"
 #include "studies/text/files.hpp"
 #include "studies/text/readable_number.hpp"
+#include "studies/text/vtk_array.hpp"
 
 namespace rollres {
 
@@ -159,7 +159,8 @@ std::string interior_text(const InteriorSummary& summary, const RollingScene& sc
 }
 
 bool has_interior(const RollingScene& scene, const RollingSolution& solution) {
-  return !scene.period && solution.method != Method::finite_strain && solution.fields.grid.size() > 0;
+  return !scene.period && !is_skewed(scene) && solution.method != Method::finite_strain &&
+         solution.fields.grid.size() > 0;
 }
 
 void write_interior(const std::filesystem::path& directory, const RollingScene& scene,

@@ -143,7 +143,7 @@ TEST_CASE("show --fields writes the files that solve --fields writes", "[studies
   REQUIRE(stored);
   CHECK(studied.run("show", {"1", "--fields", out}).status == 0);
   const SurfaceFields fields = two_nodes(stored->scene.speed);
-  CHECK(file_text(studied.path("out/fields.csv")) == fields_csv(stored->scene, fields));
+  CHECK(file_text(studied.path("out/fields.csv")) == fields_csv(stored->scene, fields, stored->solution));
   CHECK(file_text(studied.path("out/fields.vti")) == fields_vti(stored->scene, fields, stored->solution));
 
   CHECK(studied.run("show", {"1", "--fields", ""}).status == ExitStatus::wrong_input);
