@@ -9,6 +9,7 @@
 #include "core/influence/influence.hpp"
 #include "core/influence/line_passage.hpp"
 #include "core/influence/passage_kernel.hpp"
+#include "core/material/lumped_spectrum.hpp"
 #include "core/model/contact_surface.hpp"
 #include "core/numerics/memory_functions.hpp"
 #include "core/surface/fourier_table.hpp"
@@ -20,22 +21,17 @@ namespace {
 
 using complex = std::complex<double>;
 
-/// Creep in shear of the incompressible half-space that yields as much to pressure, (1 - nu)/(k G*), as that of the
-/// first layer yields to shear across the wave, 1/(k G*).
+/// Creep of the half-space of the first layer.
 CreepSpectrum near_creep(const LayeredMedium& medium, double wave_speed) {
   MediumLayer top = medium.front();
   CreepSpectrum creep;
   const auto add = [&](double time, double compliance) {
     if (time == 0)
-      creep.instantaneous += 2 * compliance;
+      creep.instantaneous += compliance;
     else
-      creep.terms.push_back({2 * compliance, time});
+      creep.terms.push_back({compliance, time});
   };
-  if (wave_speed == 0) {
-    add(0, top.material.instantaneous);
-    for (const CreepSpectrum::Term& term : top.material.terms) add(term.time, term.compliance);
-    return creep;
-  }
+  if (wave_speed == 0) return top.material;
   top.thickness = INFINITY;
   const MediumExpansion expansion({top}, wave_speed);
   for (const MediumTerm& term : expansion.terms()) add(term.time, term.deep.transverse);
@@ -103,11 +99,14 @@ void add_earlier_turns(InfluenceTable& table, const ContactModel& alone, double 
 std::vector<double> axial_coefficients(const ContactModel& model, const SurfaceGrid& grid, int reach_x) {
   const double cell = grid.spacing_x, wave_speed = model.inertia ? model.speed : 0;
   const MemoryRange told_apart = memory_range(model.speed, cell, std::max(reach_x * cell, finite_thickness(model)));
+  const auto of_layer = [&](const Layer& layer, const CreepSpectrum& creep) {
+    return shared_passage_kernel(1, layer, cell, grid.spacing_y, reach_x, 0)->table(creep, model.speed, reach_x, 0);
+  };
+  if (!model.composite()) return of_layer(model.layer(), lumped(model.top().creep, told_apart)).ww;
   InfluenceTable table(reach_x, 0);
   const auto add = [&](const LayeredMedium& medium, bool ahead) {
     if (medium.empty()) return;
-    const InfluenceTable near = shared_passage_kernel(2, Layer(INFINITY, 0.5), cell, grid.spacing_y, reach_x, 0)
-                                    ->table(near_creep(medium, wave_speed), model.speed, reach_x, 0);
+    const InfluenceTable near = of_layer(Layer(INFINITY, 0.5), near_creep(medium, wave_speed));
     table.add_coating(ahead ? near.reversed() : near);
   };
   add(foundation_of(model, told_apart), false);

@@ -61,7 +61,7 @@ double x_asinh(double x, double y) { return x == 0 ? 0 : x * std::asinh(y / std:
 
 ElasticKernel::ElasticKernel(int dimension, const Layer& layer, double cell_x, double cell_y)
     : dimension_(dimension), cell_x_(cell_x), cell_y_(cell_y), deep_(half_space_symbols(layer.poisson_ratio)) {
-  scales_.line_load = dimension == 2;
+  scales_.line_load = dimension < 3;
   if (std::isinf(layer.thickness)) return;
   scales_ = {layer.thickness, layer_table_end * layer.thickness, true};
   if (dimension == 2) {
@@ -71,19 +71,39 @@ ElasticKernel::ElasticKernel(int dimension, const Layer& layer, double cell_x, d
       line_ = line_table(layer.poisson_ratio);
     return;
   }
-  radial_ = radial_table(layer.poisson_ratio);
   const auto fill = [&](double cell, std::vector<double>& nodes, std::vector<double>& weights) {
     const QuadratureRule rule = averaging_rule(cell / layer.thickness);
     weights = rule.weights;
     for (const double node : rule.nodes) nodes.push_back((node - 0.5) * cell);
   };
   fill(cell_x, nodes_x_, weights_x_);
+  if (dimension == 1) return;
+  radial_ = radial_table(layer.poisson_ratio);
   fill(cell_y, nodes_y_, weights_y_);
 }
 
 Coefficients ElasticKernel::operator()(double x, double y) const {
   require_time();
-  return dimension_ == 3 ? sphere(x, y) : cylinder(x);
+  return dimension_ == 3 ? sphere(x, y) : dimension_ == 2 ? cylinder(x) : along_axle(x);
+}
+
+/// ln coth z is -ln z and a smooth function, z = pi |x|/4H.
+Coefficients ElasticKernel::along_axle(double x) const {
+  Coefficients sum = Coefficients::Zero();
+  const double reach = scales_.reach();
+  if (std::abs(x) - 0.5 * cell_x_ >= reach) return sum;
+  const double right = std::min(x + 0.5 * cell_x_, reach), left = std::max(x - 0.5 * cell_x_, -reach);
+  double mean = -0.5 * mean_log(left, right, 0);
+  if (!nodes_x_.empty()) {
+    const double scale = 0.25 * M_PI / scales_.length;
+    mean -= std::log(scale);
+    for (std::size_t i = 0; i < nodes_x_.size(); ++i) {
+      const double z = scale * std::abs(left + (nodes_x_[i] / cell_x_ + 0.5) * (right - left));
+      mean += weights_x_[i] * (z < 1e-4 ? z * z / 3 : std::log(z / std::tanh(z)));
+    }
+  }
+  sum(coefficient::ww) = (right - left) / (cell_x_ * M_PI) * mean;
+  return sum;
 }
 
 Coefficients ElasticKernel::sphere(double x, double y) const {

@@ -6,7 +6,7 @@
 /// Sphere (cells ax by ay): Boussinesq's and Cerruti's solutions integrated over the cell (Love 1929; Kalker 1990),
 /// and four radial functions of r/H, Hankel transforms of the symbols' difference to the half-space (K4, K5).
 /// Cylinder (cells of length ax): ln|x| and ln(x^2 + 4 H^2) integrated over the cell, and antiderivatives of the
-/// cosine and sine transforms of what is left of the symbols (K6).
+/// cosine and sine transforms of what is left of the symbols (K6). Along its axle: ln coth(pi |x|/4H)/pi.
 
 #include <Eigen/Core>
 #include <algorithm>
@@ -53,7 +53,8 @@ double x_asinh(double x, double y);
 /// Of a layer of unit shear modulus on a rigid base, or of a half-space.
 class ElasticKernel {
  public:
-  /// @param dimension 2: under lines of force; 3: under forces on a plane   @param cell_x, cell_y size of the loaded
+  /// @param dimension 1: along lines of force, v under tau_y as if it were ww; 2: under lines of force; 3: under forces
+  /// on a plane   @param cell_x, cell_y size of the loaded
   /// cell [m] (cell_y is not used for a cylinder)
   ElasticKernel(int dimension, const Layer& layer, double cell_x, double cell_y);
 
@@ -72,9 +73,10 @@ class ElasticKernel {
   /// What the layer's base changes of a half-space's coefficients, by quadrature over the cell. @pre there is one
   Coefficients sphere_correction(double x, double y) const;
   Coefficients cylinder(double x) const;
+  Coefficients along_axle(double x) const;
   Eigen::Array3d line_correction(double left, double right) const;
 
-  int dimension_;  // 2 or 3
+  int dimension_;  // 1, 2 or 3
   double cell_x_, cell_y_;
   LayerSymbols deep_;                          // symbols times k as k -> infinity: the half-space under short waves
   ResponseScales scales_;                      // the thickness is the unit of the tables' distances

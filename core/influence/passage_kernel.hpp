@@ -18,6 +18,7 @@ namespace rollres {
 
 class PassageKernel {
  public:
+  /// @param dimension as of ElasticKernel
   /// Elastic values for offsets up to `columns` and `rows` (0 for a cylinder) cells of size cell_x by cell_y [m].
   PassageKernel(int dimension, const Layer& layer, double cell_x, double cell_y, int columns, int rows);
 

@@ -195,9 +195,14 @@ LinearStep NewtonSystem::solve_dense(const InfluenceTable& table, const LawResid
       for (Eigen::Index i = 0; i < n; ++i) {
         const Eigen::Index node = laws_.contact[static_cast<std::size_t>(i)];
         const int column = static_cast<int>(node % grid.columns), row = static_cast<int>(node / grid.columns);
-        response.w(i) = moved(w, column, row) * per_normal;
-        if (components > 1) response.slip_x(i) = (moved(u, column + 1, row) - moved(u, column, row)) * per_slip;
-        if (components > 2) response.slip_y(i) = (moved(v, column + 1, row) - moved(v, column, row)) * per_slip;
+        const auto slip = [&](Direction along) {
+          return (moved(along, column + 1, row) - moved(along, column, row)) * per_slip;
+        };
+        // On a line shear along the axle and all else do not know of each other.
+        const bool in_plane = problem_.plane || component < 2, across = problem_.plane || component == 2;
+        response.w(i) = in_plane ? moved(w, column, row) * per_normal : 0;
+        if (components > 1) response.slip_x(i) = in_plane ? slip(u) : 0;
+        if (components > 2) response.slip_y(i) = across ? slip(v) : 0;
       }
       if (component > 0 && problem_.edge.curve().known()) {
         Vector along = Vector::Zero(grid.size()), aside = along, of_edge_x = along, of_edge_y = along;
