@@ -169,16 +169,8 @@ double NestedOutcome::error_estimate(const GridError& error, double resistance) 
   const double to_come = tied ? expected_change_of_tied_line(last, change_before, finest.powers)
                               : expected_change(finest.problem->model.dimension, last, change_before, finest.powers,
                                                 edge_trust(finest.problem->model, finest.edge.trust, error));
-  return error.estimate(resistance, limit(&GridNumbers::resistance).change_left(to_come)) + error_by_skew() +
+  return error.estimate(resistance, limit(&GridNumbers::resistance).change_left(to_come)) +
          rounding * finest.powers.halves;
-}
-
-double NestedOutcome::error_by_skew() const {
-  const ContactModel& model = finest.problem->model;
-  if (!model.axial_force || coarser.empty()) return 0;
-  // Of the friction along the axle, about tan a F; the next changes are at most as large as the last.
-  const double change = std::abs(coarser.back().axial_force - numbers().axial_force);
-  return 2 * std::abs(model.skew) * limit(&GridNumbers::axial_force).change_left(change);
 }
 
 double NestedOutcome::last_change() const {

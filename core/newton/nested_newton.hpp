@@ -20,10 +20,8 @@ struct NestedOutcome {
   bool tied = false;                 // as the series of grids (grid_series.hpp)
   std::vector<GridNumbers> coarser;  // of the grids before, each of twice the spacing of the next; three at most
   double change_before = RollingSolution::absent;  // what R_r was expected to change on the last of them; NaN: unknown
-  /// What a skew that is found for a given force is open by in R_r, as the grid knows that force [N].
-  double error_by_skew() const;
-  double last_change() const;   // of R_r; NaN without a coarser grid [N]
-  GridNumbers numbers() const;  // of the finest
+  double last_change() const;                      // of R_r; NaN without a coarser grid [N]
+  GridNumbers numbers() const;                     // of the finest
   /// What one of them tends to: where friction decides, the half cell between the law's slip and its traction leaves an
   /// error that halves with the spacing of tied grids. Less so where slow rolling takes their place.
   HalvingLimit limit(double GridNumbers::*number) const;

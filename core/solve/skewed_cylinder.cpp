@@ -6,6 +6,7 @@
 
 #include "core/estimate/grid_choice.hpp"
 #include "core/messages/message_text.hpp"
+#include "core/model/stated_error.hpp"
 #include "core/numerics/bracketed_root.hpp"
 #include "core/scene/friction_law.hpp"
 
@@ -25,6 +26,20 @@ RollingSolution no_answer(Status status, std::string reason) {
   solution.status = status;
   solution.reason = std::move(reason);
   return solution;
+}
+
+/// Adds what the resistance is open by where the force at a skew is known as well as the resistance is, from the answer
+/// at a neighbouring skew: where nearly all slides, the force hardly tells the skew.
+void take_open_skew(double skew, const RollingSolution& beside, double skew_beside, RollingSolution& solution) {
+  constexpr double much = 0.05;
+  const double force_error = solution.error_estimate * std::abs(solution.axial_force);
+  const double change = force_error / std::abs(beside.axial_force - solution.axial_force);
+  add_error(change * std::abs(1 - beside.rolling_resistance / solution.rolling_resistance), solution);
+  if (const double open = change * std::abs(skew_beside / skew - 1); open > much)
+    solution.warnings.push_back(
+        message_text("axial_force: nearly all of the contact slides, so that the force hardly "
+                     "tells the skew, which is open by ",
+                     100 * open, " %"));
 }
 
 /// Where a solution on the way has no answer.
@@ -64,8 +79,11 @@ RollingSolution solve_at_own_skew(const ContactModel& model,
       low = high;
       high = std::min(steepest, growth * high);
     }
-    const double skew = bracketed_root(missing, low, high, tolerance);
+    const double skew = bracketed_root(missing, low, high, tolerance), beside = 1.01 * skew;
+    missing(beside);
+    const RollingSolution answer_beside = std::move(*last);
     missing(skew);
+    take_open_skew(skew, answer_beside, beside, *last);
   } catch (Failed& failed) {
     return std::move(failed.solution);
   }

@@ -57,6 +57,9 @@ RelatedPair given_back(Dice&, RollingScene scene) {
   if (scene.skew_angle && scene.friction_coefficient > 0) {
     const auto other = [scene](const RollingSolution& found) {
       RollingScene back = scene;
+      // Where all slides, forces at two skews may be the same.
+      constexpr double tells = 0.98;
+      if (std::abs(found.axial_force) > tells * scene.friction_coefficient * found.load) return back;
       back.skew_angle.reset();
       back.axial_force = found.axial_force;
       return back;
