@@ -167,7 +167,15 @@ struct Look {
   int filled, hollow;  // gnuplot's point types
   std::string_view dash;
 };
+constexpr std::string_view extrapolated_dash = "(10,6)";
+
+bool extrapolates(const ChartRequest& request) {
+  return std::any_of(request.curves.begin(), request.curves.end(),
+                     [](const auto& curve) { return curve.extrapolated; });
+}
+
 Look look(const ChartRequest& request, std::size_t curve) {
+  const bool dashed = request.curves[curve].extrapolated, solid = !dashed && extrapolates(request);
   curve = request.curves[curve].like.value_or(curve);
   const std::size_t count = request.curves.size();
   constexpr std::array<int, 6> filled{7, 5, 9, 13, 11, 15}, hollow{6, 4, 8, 12, 10, 14};
@@ -180,7 +188,7 @@ Look look(const ChartRequest& request, std::size_t curve) {
   if (labels_at_ends(request)) return {ordered_colour(curve, count), 7, 6, "1"};
   const bool ordered = request.ordered && count > 2;
   return {ordered ? ordered_colour(curve, count) : std::string(curve_colour(curve)), filled[curve % filled.size()],
-          hollow[curve % hollow.size()], dashes[curve % dashes.size()]};
+          hollow[curve % hollow.size()], dashed ? extrapolated_dash : dashes[solid ? 0 : curve % dashes.size()]};
 }
 
 void write_peak_values(std::ostream& script, const ChartRequest& request, const Layout& layout) {
@@ -307,6 +315,8 @@ std::vector<LegendEntry> legend(const ChartRequest& request, bool crosses, bool 
   }
   const std::size_t curves = entries.size();
   const std::string grey = " lw 1.5 lc rgb '#444444'";
+  if (extrapolates(request))
+    entries.push_back({"lines dt " + std::string(extrapolated_dash) + grey, "extrapolated", 12});
   if (hollow) entries.push_back({"points pt 6 ps 0.7" + grey, "not converged", 13});
   if (areas && !request.areas.empty())
     entries.push_back({"boxes fc rgb '#444444' fs transparent solid 0.2 noborder", gnuplot::plain(request.areas),
