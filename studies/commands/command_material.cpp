@@ -47,12 +47,7 @@ void print_words(std::ostream& out, const MaterialInputs& layer, const CreepSpec
         << readable(peak.omega / (2 * std::numbers::pi), "Hz") << '\n';
 }
 
-constexpr auto material_formats = [] {
-  std::array<std::string_view, table_formats.size() + material_export_formats.size()> all;
-  std::copy(material_export_formats.begin(), material_export_formats.end(),
-            std::copy(table_formats.begin(), table_formats.end(), all.begin()));
-  return all;
-}();
+constexpr auto material_formats = table_formats_and(material_export_formats);
 
 /// Draws NAME_moduli and NAME_creep; returns the SVG files.
 std::vector<std::filesystem::path> draw_material(const MaterialInputs& layer, const std::filesystem::path& name) {
@@ -94,12 +89,12 @@ void run_material(const MaterialArguments& arguments, Session& session) {
 void add_material(Command& program, Session& session) {
   const auto [command, arguments] = program.add<MaterialArguments>(
       "material", "Show a scene's material: moduli, peaks of loss, creep and relaxation", session, run_material);
-  command->add_option("scene SCENE", arguments.scene, "Scene file (JSON)")->required();
-  command->add_option("--set KEY=VALUE", arguments.overrides, "Replace an input, in SI or with a unit; may be repeated")
+  command->add_option("scene SCENE", arguments.scene, "scene file (JSON)")->required();
+  command->add_option("--set KEY=VALUE", arguments.overrides, "replace an input, in SI or with a unit; may be repeated")
       ->one_value_each();
-  command->add_option("--out PATH", arguments.chart, "Draw pictures PATH_moduli and PATH_creep");
+  command->add_option("--out PATH", arguments.chart, "draw pictures PATH_moduli and PATH_creep");
   command
-      ->add_option("--per-decade N", arguments.per_decade, "Rows of the table for each decade of frequency; default 1")
+      ->add_option("--per-decade N", arguments.per_decade, "rows of the table for each decade of frequency; default: 1")
       ->between(1, 100);
   command
       ->add_option("--format FORMAT", arguments.format,

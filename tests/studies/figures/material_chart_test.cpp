@@ -1,6 +1,7 @@
 #include "studies/figures/material_chart.hpp"
 
 #include <algorithm>
+#include <complex>
 
 #include "studies/drawing/chart_frame.hpp"
 #include "tests/catch.hpp"
