@@ -281,7 +281,7 @@ void refuse_absent(const Formula& formula, const RollingScene& scene) {
   for (const std::string& key : formula.keys())
     if (const std::string why = why_absent(scene, key); !why.empty())
       throw std::invalid_argument((formula.text() == key ? key : formula.text() + ": " + key) +
-                                  " is never there: " + why);
+                                  " is not computed: " + why);
 }
 
 Condition::Condition(const std::string& text, FormulaNames names, Body body, const FormulaDefinitions& definitions)

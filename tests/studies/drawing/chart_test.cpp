@@ -359,3 +359,12 @@ TEST_CASE("a chart of a single point, and of points of one height, is drawn", "[
   request.curves = {{"", {{-1, -2}, {1, -1e-7}}}, {"empty", {}}};
   CHECK_NOTHROW(draw_chart(request, folder / "negative"));
 }
+
+TEST_CASE("a long subtitle is broken into lines and not cut", "[studies][chart]") {
+  ChartRequest request = two_loads();
+  request.subtitle =
+      "layer thickness of coating [0] = 12 mm, static shear modulus of coating [0] = 2 MPa, radius = 50 mm";
+  const std::string script = chart_script(request, chart_files("chart"));
+  CHECK_THAT(script, Contains("static shear modulus  '") && Contains("radius = 50 mm  '"));
+  CHECK_THAT(script, !Contains("…"));
+}

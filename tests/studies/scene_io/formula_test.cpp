@@ -60,10 +60,10 @@ TEST_CASE("a formula names the numbers of a list of the answer, by their places"
   CHECK(unit_of(Formula("bond_shears[1]", FormulaNames::inputs_and_outputs), Indenter::cylinder) == "Pa");
   RollingScene scene = plain_scene();
   CHECK(message_of([&] { refuse_absent(Formula("bond_shears[0]", FormulaNames::inputs_and_outputs), scene); }) ==
-        "bond_shears[0] is never there: interior = on computes it");
+        "bond_shears[0] is not computed: interior = on computes it");
   scene.interior = Interior::on;
   CHECK(message_of([&] { refuse_absent(Formula("bond_shears[1]", FormulaNames::inputs_and_outputs), scene); }) ==
-        "bond_shears[1] is never there: the scene has 1 layer: [0]");
+        "bond_shears[1] is not computed: the scene has 1 layer: [0]");
   CHECK(message_of([] { Formula("bond_shears[0]", FormulaNames::inputs); }) ==
         "bond_shears[0]: bond_shears[0] is an output; here only inputs are known, before a scene is solved");
 }
