@@ -108,16 +108,19 @@ std::string fixed_in_words(const std::vector<Filter>& filters, const StudyRows& 
       text +=
           (text.empty() ? "" : ", ") + name + " = " + value_in_words(column.quantity, *value, unit_in(rows, column));
   };
-  for (const std::string_view key : shown) {
-    const QuantityColumn* const column = find_quantity_column(key);
-    const bool filtered = std::any_of(filters.begin(), filters.end(), [&](const Filter& filter) {
+  const auto filtered = [&](std::string_view key) {
+    return std::any_of(filters.begin(), filters.end(), [&](const Filter& filter) {
       const QuantityColumn* const of = find_quantity_column(filter.column);
       return filter.column == key || (of && of->quantity.key == key);
     });
-    if (column && !filtered) add(std::string(column->quantity.symbol), *column);
+  };
+  for (const std::string_view key : shown) {
+    const QuantityColumn* const column = find_quantity_column(key);
+    if (column && !filtered(key)) add(std::string(column->quantity.symbol), *column);
     if (key != "layer_thickness") continue;
     for (const QuantityColumn* const further : rows.columns())
-      if (const auto layer = layer_key(further->quantity.key); layer && layer->input == key)
+      if (const auto layer = layer_key(further->quantity.key);
+          layer && layer->input == key && !filtered(further->quantity.key))
         add("H of " + layer->layer_in_words(), *further);
   }
   return text;

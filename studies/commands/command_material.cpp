@@ -1,5 +1,4 @@
 #include <algorithm>
-#include <array>
 #include <numbers>
 #include <optional>
 #include <ostream>

@@ -1,7 +1,6 @@
 #include <algorithm>
 #include <cmath>
 #include <mutex>
-#include <numeric>
 #include <ostream>
 
 #include "studies/drawing/bar_chart.hpp"

@@ -1,6 +1,5 @@
 #include "studies/fit/strain_file.hpp"
 
-#include <array>
 #include <stdexcept>
 
 #include "core/material/strain_softening.hpp"

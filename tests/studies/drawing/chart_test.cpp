@@ -14,7 +14,7 @@
 #include "tests/plain_scene.hpp"
 #include "tests/studies/temporary_directory.hpp"
 
-// Covers chart_frame and chart_script, too.
+// Covers chart_frame, chart_script and peak_values, too.
 
 using namespace rollres;
 namespace fs = std::filesystem;
