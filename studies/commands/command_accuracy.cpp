@@ -172,7 +172,7 @@ void add_accuracy(Command& program, Session& session) {
   command->add_option("scene SCENE", arguments.scenes,
                       "scene files (JSON), or paper_cylinder or paper_sphere, which are inside the program; left out: "
                       "these two");
-  command->add_option("--out DIR", arguments.out, "directory for accuracy.csv and the charts")->required();
+  command->add_option("--out DIR", arguments.out, "folder for accuracy.csv and the charts")->required();
   command->add_option("--methods METHOD,...", arguments.methods, "methods, separated by commas; left out: all")
       ->delimiter(',');
   CommandOption* const spacings = command

@@ -51,7 +51,7 @@ void add_draw(Command& program, Session& session) {
   command->add_option("--set KEY=VALUE", arguments.overrides, "replace an input, in SI or with a unit; may be repeated")
       ->one_value_each();
   command->add_option("--out PATH", arguments.out,
-                      "name of the files, with or without suffix; left out: SCENE_sketch in this directory");
+                      "name of the files, with or without suffix; left out: SCENE_sketch in this folder");
   command->footer(
       "The approach and the contact are those of the solution; the dent beyond the contact is sketched.\n"
       "Example: rollres draw studies/examples/paper_cylinder.json --set load=\"10 kN/m\" --out out/cylinder.svg");

@@ -196,7 +196,7 @@ void add_figures(Command& program, Session& session) {
   const auto [command, arguments] = program.add<FigureArguments>(
       "figures", "Draw the fields of a solution: the paper's figures, and files for ParaView", session, figures);
   command->add_option("scene SCENE", arguments.scene, "scene file (JSON)");
-  command->add_option("--out DIR", arguments.out, "directory; made if it is missing")->required();
+  command->add_option("--out DIR", arguments.out, "folder; made if it is missing")->required();
   command->add_option("--set KEY=VALUE", arguments.overrides, "replace an input, in SI or with a unit; may be repeated")
       ->one_value_each();
   std::string list = "Only this one, by its number in the paper or its name; may be repeated:";
