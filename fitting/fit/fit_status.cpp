@@ -77,8 +77,9 @@ std::string not_converged(const FitReport& report) {
     // 0.95 standard errors of the least misfit where the doubt was below 3, at steps of up to 1.03 times the doubt.
     const double enough = std::max(std::clamp(std::sqrt(2 * noise_over_scatter(report)), near, 5 * near), 1.5 * doubt);
     if (distance > std::max(enough * fitted.relative_error, exactly))
-      return message_text<4>(fitted.parameter.name, " is thought to be ", distance / fitted.relative_error,
-                             " standard errors away from the least misfit (the descent stopped: ", report.stopped, ")");
+      return message_text<4>(
+          fitted.parameter.name, " is about ", distance / fitted.relative_error,
+          " standard errors from the least misfit by its slope (the descent stopped: ", report.stopped, ")");
   }
   return "";
 }
@@ -148,7 +149,8 @@ void add_warnings(FitReport& report, const FitProblem& problem) {
   for (std::size_t j = 0; j < report.parameters.size(); ++j) {
     const FittedParameter& fitted = report.parameters[j];
     if (fitted.at_bound == AtBound::lowest && std::isfinite(fitted.parameter.least))
-      warn(fitted.parameter.name + " is at the least value with which all data have an answer: its error is not known");
+      warn(fitted.parameter.name +
+           " is at its least value, below which some data have no answer: its error is not known");
     else if (fitted.at_bound != AtBound::no)
       warn(fitted.parameter.name + " is at its bound: its error is not known");
     if (fitted.slope_doubt > doubtful_slope && report.errors.slope_errors[static_cast<Eigen::Index>(j)] > felt)
@@ -159,10 +161,11 @@ void add_warnings(FitReport& report, const FitProblem& problem) {
       warn("the noise of the model leaves ", report.parameters[j].parameter.name, " uncertain by another ", doubt,
            " standard errors");
   if (report.p_value < unlikely)
-    warn("the misfit is larger than the deviations of the data explain: p = ", report.p_value);
+    warn("the misfit is larger than the stated deviations of the data explain: p = ", report.p_value);
   if (1 - report.p_value < unlikely)
-    warn("the misfit is smaller than the deviations of the data let expect: 1 - p = ", 1 - report.p_value);
-  if (report.degrees == 0) warn("there are as many parameters as data: no freedom is left to judge the fit by");
+    warn("the misfit is smaller than expected, so the stated deviations of the data may be too large: 1 - p = ",
+         1 - report.p_value);
+  if (report.degrees == 0) warn("there are as many parameters as data: nothing is left to judge the fit by");
   if (!(report.runs_p_value < unlikely) && report.trend_p_value < unlikely)
     warn("the residuals are not random in the order of the predicted values: runs test p = ", report.trend_p_value);
   if (report.runs_p_value < unlikely)
@@ -179,8 +182,8 @@ void add_warnings(FitReport& report, const FitProblem& problem) {
     std::string names;
     for (const FittedParameter& fitted : report.parameters)
       if (fitted.profile.points.empty()) names += (names.empty() ? "" : ", ") + fitted.parameter.name;
-    warn("with ", report.enough, " solutions no more profiles are walked: the interval of ", names,
-         " is linear; a larger solutions_limit walks them");
+    warn("with ", report.enough, " solutions no further profile is computed: the interval of ", names,
+         " is linear; a larger solutions_limit gives the profile");
   }
   if (!report.second_best.empty()) warn("other parameters fit nearly as well: " + report.second_best);
   const double scatter = std::sqrt(report.errors.scale);
@@ -248,7 +251,7 @@ void judge(FitReport& report, const FitProblem& problem) {
   if (known && !report.moved) {
     if (report.reason.empty()) report.status = FitStatus::did_not_move;
     report.reason += report.reason.empty() ? "" : "; ";
-    report.reason += "the fit ended where it started, which is no proof of a least misfit: start it elsewhere";
+    report.reason += "the fit ended where it started, which does not prove a least misfit: give another start";
     return;
   }
   if (!report.reason.empty()) return;

@@ -6,9 +6,7 @@
 #include <cmath>
 #include <complex>
 #include <limits>
-#include <numeric>
 #include <stdexcept>
-#include <type_traits>
 #include <utility>
 
 #include "core/material/material.hpp"

@@ -1,11 +1,9 @@
 #include "studies/charts/live_view.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <ctime>
 #include <map>
-#include <numeric>
 #include <sstream>
 
 #include "db/queries/query.hpp"
@@ -14,7 +12,6 @@
 #include "studies/stored/study_rows.hpp"
 #include "studies/study/study_definition.hpp"
 #include "studies/text/readable_number.hpp"
-#include "studies/text/similar_texts.hpp"
 
 namespace rollres {
 

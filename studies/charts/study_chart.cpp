@@ -4,69 +4,14 @@
 #include <cmath>
 #include <stdexcept>
 
-#include "core/scene/scene_input.hpp"
-#include "studies/charts/derived_error.hpp"
+#include "studies/charts/resistance_error.hpp"
 #include "studies/scatter/scatter_statistics.hpp"
 #include "studies/text/readable_number.hpp"
-#include "studies/text/strict_json.hpp"
-#include "studies/text/units.hpp"
 #include "studies/text/words.hpp"
 
 namespace rollres {
 
 namespace {
-
-StudyDefinition definition_of(ResultStore& store, const std::string& study) {
-  return definition_in(store.definition(study).value_or(""), store.database().name() + ": " + study);
-}
-
-/// The names of all studies that are drawn; a name given twice is one study.
-std::vector<std::string> names_of(ResultStore& store, const StudyChartOptions& options) {
-  std::vector<std::string> names{stored_study(store, options.study).name};
-  for (const std::string& more : options.more_studies)
-    if (const std::string name = stored_study(store, more).name;
-        std::find(names.begin(), names.end(), name) == names.end())
-      names.push_back(name);
-  return names;
-}
-
-/// Several studies as one, whose first axis is the study.
-StudySummary summary_of(ResultStore& store, const std::vector<std::string>& names) {
-  StudySummary all = stored_study(store, names.front());
-  if (names.size() == 1) return all;
-  all.name = joined(names);
-  all.axes.insert(all.axes.begin(), std::string(study_key));
-  for (std::size_t i = 1; i < names.size(); ++i) {
-    const StudySummary one = stored_study(store, names[i]);
-    for (const std::string& axis : one.axes)
-      if (std::find(all.axes.begin(), all.axes.end(), axis) == all.axes.end()) all.axes.push_back(axis);
-    all.points += one.points;
-    all.answered += one.answered;
-    all.failed += one.failed;
-  }
-  return all;
-}
-
-/// What the first study's file says but for its comment, and which axes of any are logarithmic, go together or are
-/// sampled.
-StudyDefinition definition_of(ResultStore& store, const std::vector<std::string>& names) {
-  StudyDefinition all = definition_of(store, names.front());
-  for (std::size_t i = 1; i < names.size(); ++i) {
-    const StudyDefinition one = definition_of(store, names[i]);
-    all.comment.clear();  // the title names the studies
-    all.logarithmic.insert(one.logarithmic.begin(), one.logarithmic.end());
-    all.together.insert(all.together.end(), one.together.begin(), one.together.end());
-    all.sampled.insert(one.sampled.begin(), one.sampled.end());
-  }
-  return all;
-}
-
-StudyRows rows_of(ResultStore& store, const std::vector<std::string>& names, const std::vector<Filter>& filters) {
-  if (names.size() == 1) return {store, names.front(), filters};
-  std::vector<StudyRows> studies;
-  for (const std::string& name : names) studies.emplace_back(store, name, filters);
-  return StudyRows(studies);
-}
 
 /// Which columns are drawn as what.
 struct Choice {
@@ -75,8 +20,6 @@ struct Choice {
   const QuantityColumn* along = nullptr;        // joins the points of a curve: x, or an axis if x is none
   std::vector<const QuantityColumn*> families;  // their values tell the curves apart
   bool scatter = false;                         // several points at each place: their median, and a band
-
-  bool is_resistance() const { return y->name == "rolling_resistance" || y->name == "rolling_resistance_coefficient"; }
 };
 
 /// Whether the columns tell the value of another one in every row.
@@ -261,7 +204,7 @@ Curves curves_of(const ShownStudy& shown, const Choice& choice, const ChartScale
   const StudyRows& rows = shown.rows;
   Curves curves(StudyOrder(rows, choice.families));
   if (choice.scatter) curves = scattered_curves(rows, choice, scales);
-  const DerivedError formula(*choice.y);
+  const ResistanceError error(*choice.y);
   for (std::size_t row = 0; row < rows.size() && !choice.scatter; ++row) {
     std::vector<Cell> values;
     for (const QuantityColumn* const family : choice.families) values.push_back(rows.cell(row, *family));
@@ -270,10 +213,8 @@ Curves curves_of(const ShownStudy& shown, const Choice& choice, const ChartScale
              rows.converged(row)};
     if (shares)
       add_shares(point, rows, row, scales.y.unit.factor);
-    else if (choice.is_resistance() && point.converged)
-      add_band(point, rows.number(row, "error_estimate"));
-    else if (formula.any() && point.converged)
-      add_band(point, formula(rows, row));
+    else if (error.known() && point.converged)
+      add_band(point, error(rows, row));
   }
   if (curves.size() > most_curves)
     throw TooManyCurves(shown.study.name + ": would need " + std::to_string(curves.size()) + " curves; show at most " +
@@ -356,74 +297,6 @@ void tell_families_apart(ChartRequest& request, const Curves& curves, const Choi
 
 }  // namespace
 
-std::vector<std::string> stored_charts(ResultStore& store, const std::string& study) {
-  return definition_of(store, stored_study(store, study).name).chart_names();
-}
-
-StudyChart chart_of_file(ResultStore& store, const std::string& wanted, const std::string& chart) {
-  const std::string study = stored_study(store, wanted).name;
-  return definition_of(store, study).chart(chart, store.database().name() + ": " + study);
-}
-
-ShownStudy::ShownStudy(ResultStore& store, const StudyChartOptions& options)
-    : file(store.database().name()),
-      study(summary_of(store, names_of(store, options))),
-      definition(definition_of(store, names_of(store, options))),
-      rows(rows_of(store, names_of(store, options), options.filters)) {}
-
-std::size_t ShownStudy::unanswered() const {
-  std::size_t count = 0;
-  for (std::size_t row = 0; row < rows.size(); ++row) count += rows.converged(row) ? 0 : 1;
-  return count;
-}
-
-std::string ShownStudy::title() const { return title_of_study(definition, study.name); }
-
-std::string filters_in_words(const std::vector<Filter>& filters, const StudyRows& rows) {
-  constexpr std::array<std::string_view, 7> signs{"=", "≠", "<", "≤", ">", "≥", "contains"};
-  return joined(filters, ", ", [&](const Filter& filter) {
-    const QuantityColumn* const column = find_quantity_column(filter.column);
-    const auto number = column && column->type == "REAL" ? plain_number(filter.value) : std::nullopt;
-    return in_words(column ? column->quantity.key : std::string_view(filter.column)) + " " +
-           std::string(signs.at(static_cast<std::size_t>(filter.comparison))) + " " +
-           (number ? value_in_words(column->quantity, *number, unit_in(rows, *column)) : in_words(filter.value));
-  });
-}
-
-std::string fixed_in_words(const std::vector<Filter>& filters, const StudyRows& rows) {
-  constexpr std::array<std::string_view, 8> shown{"radius",   "layer_thickness",      "speed",          "load",
-                                                  "approach", "friction_coefficient", "rotation_ratio", "temperature"};
-  std::string text;
-  const auto add = [&](const std::string& name, const QuantityColumn& column) {
-    if (const auto value = rows.common(column))
-      text +=
-          (text.empty() ? "" : ", ") + name + " = " + value_in_words(column.quantity, *value, unit_in(rows, column));
-  };
-  for (const std::string_view key : shown) {
-    const QuantityColumn* const column = find_quantity_column(key);
-    const bool filtered = std::any_of(filters.begin(), filters.end(), [&](const Filter& filter) {
-      const QuantityColumn* const of = find_quantity_column(filter.column);
-      return filter.column == key || (of && of->quantity.key == key);
-    });
-    if (column && !filtered) add(std::string(column->quantity.symbol), *column);
-    if (key != "layer_thickness") continue;
-    for (const QuantityColumn* const further : rows.columns())
-      if (const auto layer = layer_key(further->quantity.key); layer && layer->input == key)
-        add("H of " + layer->layer_in_words(), *further);
-  }
-  return text;
-}
-
-std::string subtitle_of(const std::vector<Filter>& filters, const StudyRows& rows) {
-  const std::string asked = filters_in_words(filters, rows), fixed = fixed_in_words(filters, rows);
-  return asked + (asked.empty() || fixed.empty() ? "" : ", ") + fixed;
-}
-
-std::string ShownStudy::comment() const {
-  return "study " + study.name + " in " + file + ": " + std::to_string(rows.size()) + " points, " +
-         std::to_string(unanswered()) + " without an answer" + common_inputs(rows);
-}
-
 StoredChart stored_chart(ResultStore& store, const StudyChartOptions& options) {
   const ShownStudy shown(store, options);
   const auto& [file, study, definition, rows] = shown;
@@ -453,7 +326,7 @@ StoredChart stored_chart(ResultStore& store, const StudyChartOptions& options) {
     stack_shares(request, study.name);
   else if (choice.scatter)
     request.areas = "P10 to P90, line: median";
-  else if (choice.is_resistance() || DerivedError(*choice.y).any())
+  else if (ResistanceError(*choice.y).known())
     request.areas = "estimated error";
   return chart;
 }

@@ -40,7 +40,7 @@ MapAxes choose_axes(const StudySummary& study, const StudyRows& rows, const Stud
       axes.y = axis;
   }
   if (!axes.x || !axes.y || axes.x == axes.y)
-    throw std::invalid_argument(study.name + ": a map needs two axes that are numbers and differ");
+    throw std::invalid_argument(study.name + ": a map needs two different axes that are numbers");
   return axes;
 }
 

@@ -1,5 +1,4 @@
 #include <algorithm>
-#include <cmath>
 #include <ostream>
 #include <stdexcept>
 
@@ -173,7 +172,7 @@ void add_accuracy(Command& program, Session& session) {
   command->add_option("scene SCENE", arguments.scenes,
                       "scene files (JSON), or paper_cylinder or paper_sphere, which are inside the program; left out: "
                       "these two");
-  command->add_option("--out DIR", arguments.out, "directory for accuracy.csv and the charts")->required();
+  command->add_option("--out DIR", arguments.out, "folder for accuracy.csv and the charts")->required();
   command->add_option("--methods METHOD,...", arguments.methods, "methods, separated by commas; left out: all")
       ->delimiter(',');
   CommandOption* const spacings = command
@@ -186,11 +185,11 @@ void add_accuracy(Command& program, Session& session) {
                    "nodes along a cylinder's, 130 along a sphere's")
       ->between(1, 100)
       ->excludes(spacings);
-  command->add_option("--repeats N", options.repeats, "solutions of which the median time is taken; default 5")
+  command->add_option("--repeats N", options.repeats, "solutions of which the median time is taken; default: 5")
       ->between(1, 1000);
   command
       ->add_option("--seconds-limit SECONDS", options.seconds_limit,
-                   "what would take longer is skipped, what takes longer is stopped; default 30")
+                   "skip a solution that would take longer, stop one that does; default: 30")
       ->positive();
   command
       ->add_option("--set KEY=VALUE", arguments.overrides,
@@ -213,7 +212,7 @@ void add_accuracy(Command& program, Session& session) {
       ->needs(random);
   command
       ->add_option("--indenter INDENTER", arguments.indenter,
-                   "of the random scenes: cylinder, sphere or both (the default)")
+                   "of the random scenes: cylinder, sphere or both; default: both")
       ->one_of({"cylinder", "sphere", "both"})
       ->needs(random);
   command->add_option("--jobs N", arguments.plan.jobs, "processes for the random scenes; default: one for each core")
@@ -224,8 +223,8 @@ void add_accuracy(Command& program, Session& session) {
       ->positive()
       ->needs(random);
   command->footer(
-      "Each solution is cold, in a process of its own on one core. Exit status 1: a method did not converge "
-      "somewhere.\n"
+      "Each solution runs in a new process on one core, nothing kept from others. Exit status 1: one did not "
+      "converge.\n"
       "Example: rollres accuracy studies/examples/paper_sphere.json --out out --methods newton,active_set\n"
       "Example: rollres accuracy --random 100 --seed 1 --out out");
 }

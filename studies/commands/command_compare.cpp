@@ -1,4 +1,3 @@
-#include <cmath>
 #include <ostream>
 #include <tuple>
 
@@ -186,8 +185,8 @@ void add_compare(Command& program, Session& session) {
   command
       ->add_option(
           "studies NAME", arguments.studies,
-          "names of two studies, or of one that both databases hold; of more: the first with each other; or of fits: "
-          "their parameters with intervals, and AICc")
+          "names of two studies, of one study that both databases hold, or of two fits; of more than two the first is "
+          "compared with each of the others")
       ->required()
       ->expected(1, most_studies);
   command->add_option("--db FILE", arguments.database, "database")->required();

@@ -47,11 +47,11 @@ void draw_scene(const DrawArguments& arguments, Session& session) {
 void add_draw(Command& program, Session& session) {
   const auto [command, arguments] = program.add<DrawArguments>(
       "draw", "Draw a scene to scale: body, layers, load, speed and drive, stick and slip", session, draw_scene);
-  command->add_option("scene SCENE", arguments.scene, "Scene file (JSON)")->required();
-  command->add_option("--set KEY=VALUE", arguments.overrides, "Replace an input, in SI or with a unit; may be repeated")
+  command->add_option("scene SCENE", arguments.scene, "scene file (JSON)")->required();
+  command->add_option("--set KEY=VALUE", arguments.overrides, "replace an input, in SI or with a unit; may be repeated")
       ->one_value_each();
   command->add_option("--out PATH", arguments.out,
-                      "name of the files, with or without suffix; left out: SCENE_sketch in this directory");
+                      "name of the files, with or without suffix; left out: SCENE_sketch in this folder");
   command->footer(
       "The approach and the contact are those of the solution; the dent beyond the contact is sketched.\n"
       "Example: rollres draw studies/examples/paper_cylinder.json --set load=\"10 kN/m\" --out out/cylinder.svg");

@@ -195,9 +195,9 @@ void figures(const FigureArguments& arguments, Session& session) {
 void add_figures(Command& program, Session& session) {
   const auto [command, arguments] = program.add<FigureArguments>(
       "figures", "Draw the fields of a solution: the paper's figures, and files for ParaView", session, figures);
-  command->add_option("scene SCENE", arguments.scene, "Scene file (JSON)");
-  command->add_option("--out DIR", arguments.out, "Directory; made if it is missing")->required();
-  command->add_option("--set KEY=VALUE", arguments.overrides, "Replace an input, in SI or with a unit; may be repeated")
+  command->add_option("scene SCENE", arguments.scene, "scene file (JSON)");
+  command->add_option("--out DIR", arguments.out, "folder; made if it is missing")->required();
+  command->add_option("--set KEY=VALUE", arguments.overrides, "replace an input, in SI or with a unit; may be repeated")
       ->one_value_each();
   std::string list = "Only this one, by its number in the paper or its name; may be repeated:";
   for (const Figure& figure : all_figures())
@@ -205,9 +205,9 @@ void add_figures(Command& program, Session& session) {
             std::string(figure.name);
   command->add_option("--figure FIGURE", arguments.figures, list)->one_value_each();
   command->add_option("--db FILE", arguments.database,
-                      "Database: the stored fields of a study as VTK files and a collection");
-  command->add_option("--study NAME", arguments.study, "Study; may be left out if the database holds one");
-  command->add_option("--axis KEY", arguments.axis, "Axis whose value is the collection's time; left out: the first");
+                      "database: the stored fields of a study as VTK files and a collection");
+  command->add_option("--study NAME", arguments.study, "study; may be left out if the database holds one");
+  command->add_option("--axis KEY", arguments.axis, "axis whose value is the collection's time; left out: the first");
   command->footer(
       "Pictures as SVG and PNG; beside each stand its script (.gp) and data (.dat): change the script and run gnuplot "
       "on it.\nfields.csv and fields.vti hold the fields of the whole window.\n"

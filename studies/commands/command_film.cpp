@@ -1,5 +1,4 @@
 #include <algorithm>
-#include <cmath>
 #include <ostream>
 #include <stdexcept>
 
@@ -121,7 +120,7 @@ void add_film(Command& program, Session& session) {
   command
       ->add_option("--where FILTER", arguments.filters, "show only points with KEY=VALUE, as in query; may be repeated")
       ->one_value_each();
-  command->add_option("--seconds SECONDS", arguments.seconds, "for which each point is shown; default 0.25")
+  command->add_option("--seconds SECONDS", arguments.seconds, "how long each point is shown; default: 0.25")
       ->positive();
   command->add_option("--out PATH", arguments.out,
                       "name of the files, with or without suffix; left out: STUDY_film beside the database");

@@ -299,38 +299,38 @@ void add_fit(Command& program, Session& session) {
       "fit", "Fit a scene, or a material, to measured values, with intervals and a judgement", session, run_fit);
   command
       ->add_option("fits FIT", arguments.fits,
-                   "Fit file (JSON): scene or material, data (CSV), parameters; several with --compare; with --predict "
+                   "fit file (JSON): scene or material, data (CSV), parameters; several with --compare; with --predict "
                    "also the name of a stored fit")
       ->required();
-  command->add_option("--db FILE", arguments.database, "Database: every evaluation and the fit are stored here")
+  command->add_option("--db FILE", arguments.database, "database: every evaluation and the fit are stored here")
       ->required();
   command->add_option("--out DIR", arguments.out,
-                      "Draw data, residuals, profiles and the worst pair's ellipse into DIR");
-  command->add_option("--scene FILE", arguments.scene, "Write what was fitted as a scene file, with all digits");
+                      "draw data, residuals, profiles and the worst pair's ellipse into DIR");
+  command->add_option("--scene FILE", arguments.scene, "write what was fitted as a scene file, with all digits");
   command->add_flag("--design", arguments.design,
-                    "What to measure next: speeds, loads, all inputs at once, several together (key design of the "
-                    "file: ranges, targets)");
+                    "tell what to measure next, within the ranges under design in the file");
   command
-      ->add_option("--coverage N", arguments.coverage,
-                   "Draw the data N times around the fit, fit them, and count the intervals that hold it")
+      ->add_option(
+          "--coverage N", arguments.coverage,
+          "draw data from the fit N times, fit them, and count the 95 % intervals that contain the fit's values")
       ->between(1, 1'000'000);
-  command->add_option("--seed S", arguments.seed, "Of the draws; default 1");
-  command->add_option("--jobs N", arguments.jobs, "Threads; default: one for each core")->between(1, 1024);
+  command->add_option("--seed S", arguments.seed, "seed of --coverage; default: 1");
+  command->add_option("--jobs N", arguments.jobs, "threads; default: one for each core")->between(1, 1024);
   command->add_option(
       "--predict SCENES", arguments.predict.scenes,
-      "Predict the fit's output with 95 % intervals: of a scene, of a study's points, or of the rows of "
-      "a CSV file as the fit's data are; a chart with the data in --out");
+      "predict the fit's output with 95 % intervals, for a scene, for a study's points, or for the rows of a CSV file "
+      "with the columns of the fit's data; --out draws them with the data");
   command
       ->add_option("--predict-as WHAT", arguments.predict.as,
-                   "The model's true value (default), the reading with offset and scale, or one more measurement with "
+                   "the model's true value (default), the reading with offset and scale, or one more measurement with "
                    "its noise")
       ->one_of(ChoiceNames<PredictedAs>::names);
   command->add_option("--predict-data SET", arguments.predict.data,
-                      "Data set whose offset, scale and noise count; default: the first");
+                      "data set whose offset, scale and noise count; default: the first");
   command->add_flag("--compare", arguments.compare,
-                    "Fit several files to the same data and compare them: AICc, BIC, weights, likelihood ratios");
-  command->add_flag("--no-profiles", arguments.no_profiles, "Leave out the intervals by profile likelihood");
-  command->add_flag("--json", arguments.json, "Print one JSON object");
+                    "fit several files to the same data and compare them: AICc, BIC, weights, likelihood ratios");
+  command->add_flag("--no-profiles", arguments.no_profiles, "leave out the intervals by profile likelihood");
+  command->add_flag("--json", arguments.json, "print one JSON object");
   command->footer(
       "Status: GOOD; USABLE WITH WARNINGS; NOT IDENTIFIED (the data do not bound a parameter); MISFIT (the model does\n"
       "not describe the data); DID NOT MOVE (ended where it started); NOT CONVERGED (no least misfit was found, or\n"

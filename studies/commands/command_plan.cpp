@@ -145,9 +145,8 @@ void add_plan(Command& program, Session& session) {
           ->one_of(table_formats);
   command->add_flag("--json", arguments.json, "print one JSON object: what the file asks for, and its points")
       ->excludes(format);
-  command->add_flag(
-      "--explain", arguments.explain,
-      "print in place of the points the model that solves one of them: what is left out, by which method");
+  command->add_flag("--explain", arguments.explain,
+                    "print the model of one point, and the method that solves it, in place of the points");
   command->add_option("--point N", arguments.point, "the point that --explain tells of, counted from 1; default: 1");
   command->add_flag("--si", arguments.si, "SI numbers in the table, too");
   command->footer(

@@ -185,7 +185,7 @@ void schema(const std::string& what, Session& session) {
 void add_quantities(Command& program, Session& session) {
   const auto [command, json] =
       program.add<bool>("quantities", "List every key: symbol, unit, values, default and meaning", session, quantities);
-  command->add_flag("--json", json, "Print one JSON object");
+  command->add_flag("--json", json, "print one JSON object");
   command->footer("Example: rollres quantities --json");
 }
 

@@ -37,7 +37,7 @@ std::vector<Filter> filters_of(const QueryArguments& arguments) {
   return filters;
 }
 
-constexpr std::array<std::string_view, 6> query_formats{"table", "csv", "json", "jsonl", "markdown", "xlsx"};
+constexpr auto query_formats = table_formats_and(std::array<std::string_view, 1>{"xlsx"});
 constexpr const char* workbook_format = "xlsx";
 
 bool is_for_people(const QueryArguments& arguments) {
@@ -188,8 +188,9 @@ void add_query(Command& program, Session& session) {
       program.add<QueryArguments>("query", "Find stored evaluations by any input or output, or fits", session, query);
   command->add_option(
       "filters FILTER", arguments.filters,
-      "KEY=VALUE, also != < <= > >= and ~ (contains); all must hold; KEY is any column, a study (of several, any) or a "
-      "position in it; VALUE is a number in SI, one with a unit, or a text; none: what is absent");
+      "KEY=VALUE, also != < <= > >= and ~ (contains); all must hold, of several study=NAME any one. KEY is a column, "
+      "study, or position (in the study). VALUE is a number in SI, a number with a unit, or a text; none: the value is "
+      "absent");
   command->add_option("--db FILE", arguments.databases, "database; may be repeated: several are read as one")
       ->one_value_each()
       ->required();

@@ -160,7 +160,7 @@ void add_scatter(Command& program, Session& session) {
       ->add_option("--probability CONDITION", arguments.conditions,
                    "how probable it is that this holds, 'peak_pressure > 2 MPa'; may be repeated")
       ->one_value_each();
-  command->add_option("--quantiles P,...", arguments.quantiles, "in percent; default 10,50,90");
+  command->add_option("--quantiles P,...", arguments.quantiles, "in percent; default: 10,50,90");
   command->add_option("--jobs N", arguments.jobs, "threads; default: one for each core")->between(1, 1024);
   command->add_option("--retry WHICH", arguments.retry, "solve again what is stored: failed, not_converged, or all")
       ->one_of({"failed", "not_converged", "all"});
@@ -170,9 +170,8 @@ void add_scatter(Command& program, Session& session) {
                       "draw each output's histogram and cumulative distribution as PATH_histogram.svg and so on");
   command->add_flag("--json", arguments.json, "print one JSON object");
   command->footer(
-      "Points are stored and recalled as those of a sweep, which may solve them before, in shards too. Numbers bear "
-      "the\n"
-      "half-width of their 95 % interval. rollres chart draws a study with axes with bands from P10 to P90.\n"
+      "Points are stored and recalled as in a sweep; rollres sweep may solve them first, in shards too. Errors are\n"
+      "half-widths of 95 % intervals. rollres chart draws a study with axes with bands from P10 to P90.\n"
       "Example: rollres scatter studies/examples/rubber_scatter.json --db results.db");
 }
 

@@ -1,7 +1,6 @@
 #include <algorithm>
 #include <cmath>
 #include <mutex>
-#include <numeric>
 #include <ostream>
 
 #include "studies/drawing/bar_chart.hpp"
@@ -234,7 +233,8 @@ void add_sensitivity(Command& program, Session& session) {
       "sensitivity", "Which inputs a result depends on: elasticities, or indices over ranges", session,
       run_sensitivity);
   command->add_option("file SCENE|STUDY", arguments.file, "scene file; with --indices also a study file")->required();
-  command->add_option("--output KEY", arguments.output, "output, with --indices a formula; default rolling_resistance");
+  command->add_option("--output KEY", arguments.output,
+                      "output, with --indices a formula; default: rolling_resistance");
   command
       ->add_option("--set KEY=VALUE", arguments.overrides,
                    "replace an input of the scene, in SI or with a unit; may be repeated")
@@ -247,9 +247,9 @@ void add_sensitivity(Command& program, Session& session) {
                                    "range of an input of a scene; may be repeated"))
       ->one_value_each();
   with_indices(command->add_option("--samples N", arguments.samples,
-                                   "rows (sobol, default 256; a power of two) or trajectories (morris, default 20)"))
+                                   "sobol: rows, a power of two; default: 256. morris: trajectories; default: 20"))
       ->between(2, 10'000'000);
-  with_indices(command->add_option("--seed S", arguments.seed, "of the sample; default 0"));
+  with_indices(command->add_option("--seed S", arguments.seed, "of the sample; default: 0"));
   with_indices(
       command->add_option("--db FILE", arguments.database, "database; every evaluation is stored and recalled"));
   with_indices(command->add_flag("--replace", arguments.replace,
@@ -268,17 +268,17 @@ void add_sensitivity(Command& program, Session& session) {
 void add_gradient(Command& program, Session& session) {
   const auto [command, arguments] = program.add<GradientArguments>(
       "gradient", "Differentiate one output of a scene by some of its inputs", session, run_gradient);
-  command->add_option("scene SCENE", arguments.scene, "Scene file (JSON)")->required();
-  command->add_option("--inputs KEY,...", arguments.inputs, "Inputs to differentiate by, separated by commas")
+  command->add_option("scene SCENE", arguments.scene, "scene file (JSON)")->required();
+  command->add_option("--inputs KEY,...", arguments.inputs, "inputs to differentiate by, separated by commas")
       ->required()
       ->delimiter(',');
-  command->add_option("--output KEY", arguments.output, "Output; default rolling_resistance");
-  command->add_option("--set KEY=VALUE", arguments.overrides, "Replace an input, in SI or with a unit; may be repeated")
+  command->add_option("--output KEY", arguments.output, "output; default: rolling_resistance");
+  command->add_option("--set KEY=VALUE", arguments.overrides, "replace an input, in SI or with a unit; may be repeated")
       ->one_value_each();
-  command->add_option("--order ORDER", arguments.options.order, "2 or 4 (default): order of the differences")
+  command->add_option("--order ORDER", arguments.options.order, "order of the differences; default: 4")
       ->one_of({"2", "4"});
-  command->add_option("--jobs N", arguments.options.jobs, "Threads; default: one for each core")->between(1, 1024);
-  command->add_flag("--json", arguments.json, "Print one JSON object");
+  command->add_option("--jobs N", arguments.options.jobs, "threads; default: one for each core")->between(1, 1024);
+  command->add_flag("--json", arguments.json, "print one JSON object");
   command->footer(
       "Derivatives are by finite differences whose steps suit the noise of the output and the scale over which an\n"
       "input acts. These are measured first: mostly 8 evaluations for each input, 40 at most; then 2 or 4. \"+-\" is\n"

@@ -53,10 +53,10 @@ void add_serve(Command& program, Session& session) {
   command->add_option("scene SCENE", arguments.scene,
                       "scene file; a line then replaces inputs of it, as --set does, and is a whole scene otherwise");
   command->add_option("--db FILE", arguments.database,
-                      "recall answers that are stored here, store the others before they are written");
+                      "recall the answers stored here; store the others before they are written");
   command
       ->add_option("--retry WHICH", arguments.retry,
-                   "with --db: solve again what is stored whenever it is asked for: failed, not_converged, or all")
+                   "with --db: solve again what is stored as failed, as not_converged, or all")
       ->one_of({"failed", "not_converged", "all"});
   command->add_option("--files FOLDER", arguments.files,
                       "lines may name files of this folder (master_curve_file, ...); without it, none");

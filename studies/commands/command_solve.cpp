@@ -56,17 +56,16 @@ void run_solve(const SolveArguments& options, Session& session) {
 void add_solve(Command& program, Session& session) {
   const auto [command, arguments] =
       program.add<SolveArguments>("solve", "Solve one scene and print its rolling resistance", session, run_solve);
-  command->add_option("scene SCENE", arguments.scene, "Scene file (JSON)")->required();
-  command->add_option("--set KEY=VALUE", arguments.overrides, "Replace an input, in SI or with a unit; may be repeated")
+  command->add_option("scene SCENE", arguments.scene, "scene file (JSON)")->required();
+  command->add_option("--set KEY=VALUE", arguments.overrides, "replace an input, in SI or with a unit; may be repeated")
       ->one_value_each();
-  command->add_flag("--json", arguments.json, "Print one JSON object");
+  command->add_flag("--json", arguments.json, "print one JSON object");
   command->add_flag(
       "--explain", arguments.explain,
-      "Print the model before it is solved, then what was left out and kept, with the number it rests on, and what "
-      "simpler models answer");
+      "print the model first; after the answer what each assumption costs, and what simpler models answer");
   command->add_option(
       "--fields DIR", arguments.fields,
-      "Write the surface's fields to DIR/fields.csv and .vti, those inside the layers to inside.csv and .vtr, "
+      "write the surface's fields to DIR/fields.csv and .vti, those inside the layers to inside.csv and .vtr, "
       "losses.csv and bonds.csv, of a sphere's surface and bonds to faces.csv and face_0.vtr, ...");
   command->footer("Example: rollres solve studies/examples/paper_cylinder.json --set speed=\"36 km/h\" --fields out");
 }

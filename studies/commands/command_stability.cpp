@@ -248,7 +248,7 @@ void add_stability(Command& program, Session& session) {
                                      ->one_value_each();
   command
       ->add_option("--materials MATERIALS", arguments.materials,
-                   "of the random scenes: zener; wide: spectra over many decades; or both (the default), by lot")
+                   "of the random scenes: zener, wide (spectra over many decades) or both, at random; default: both")
       ->one_of(ChoiceNames<Spectra>::names);
   CommandOption* const related =
       command
@@ -267,17 +267,16 @@ void add_stability(Command& program, Session& session) {
       ->delimiter(',')
       ->one_value_each()
       ->needs(related);
-  command->add_option("--indenter INDENTER", arguments.indenter, "cylinder, sphere or both (the default)")
+  command->add_option("--indenter INDENTER", arguments.indenter, "cylinder, sphere or both; default: both")
       ->one_of({"cylinder", "sphere", "both"});
   command->add_option("--jobs N", arguments.jobs, "processes; default: one for each core")->between(1, 1024);
   command->add_option("--time-limit SECONDS", arguments.time_limit, "for one scene, in seconds; default: 600")
       ->positive();
   command->add_flag("--json", arguments.json, "print the outcome as one JSON object");
   command->footer(
-      "converged: every law of contact holds to 1e-8. refused: the drive needs more friction, confirmed by solving "
-      "with "
-      "2 % more and 2 % less than the method says it needs; unconfirmed: that is not so. wrong: says converged, and is "
-      "not. Exit status 1 if any is wrong or crashed, or a relation is broken.\n"
+      "converged: every law of contact holds to 1e-8. wrong: the status is converged, but a law is broken.\n"
+      "refused: the drive needs more friction; solving with 2 % more and 2 % less than needed confirms it.\n"
+      "unconfirmed: refused, but not confirmed. Exit status 1: one is wrong or crashed, or a relation is broken.\n"
       "Example: rollres stability --out stability --scenes 200 --methods newton,active_set\n"
       "Example: rollres stability --out relations --relations 100\n"
       "Example: rollres stability --out relations --relations 300 --only \"cut in two\" --indenter cylinder");

@@ -148,7 +148,7 @@ void add_status(Command& program, Session& session) {
       program.add<StatusArguments>("status", "Tell what of a study is stored, and what is missing", session, status);
   command->add_option("study STUDY", arguments.study, "study file; left out: every study of the database");
   command->add_option("--db FILE", arguments.databases,
-                      "database; several are taken together; none: the whole study is missing");
+                      "database; may be repeated: several are read as one; left out: no point is stored");
   CommandOption* const shards =
       command->add_option("--shards N", arguments.shards, "number of shards: tell which have something missing")
           ->between(1, most_shards);
@@ -164,7 +164,7 @@ void add_status(Command& program, Session& session) {
           ->excludes(array)
           ->excludes(json);
   command->add_option("--study NAME", arguments.name, "the study to follow, of several in the database")->needs(follow);
-  command->add_option("--every SECONDS", arguments.every, "between two looks; default 1")->needs(follow);
+  command->add_option("--every SECONDS", arguments.every, "time between two looks; default: 1")->needs(follow);
   command->footer(
       "Exit status 0: every point is answered, failed ones included; 1: something is missing.\n"
       "Examples: rollres status STUDY --db shard-*.db --shards 16\n"

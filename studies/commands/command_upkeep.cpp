@@ -88,9 +88,8 @@ void add_upkeep(Command& program, Session& session) {
   command->add_option("--db FILE", arguments.database, "database")->required();
   command->add_flag("--yes", arguments.yes, "delete them; without it they are counted");
   command->footer(
-      "Rows of no study are those of deleted studies, of definitions that were replaced, and what fits have solved "
-      "and\n"
-      "would solve again.\n"
+      "These are rows of deleted studies, of studies that were replaced, and those that fits solved and would solve "
+      "again.\n"
       "Example: rollres prune --db results.db --yes");
 }
 

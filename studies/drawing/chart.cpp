@@ -1,7 +1,6 @@
 #include "studies/drawing/chart.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <fstream>
 #include <iterator>
 #include <sstream>

@@ -47,6 +47,7 @@ struct ChartCurve {
   bool marks = true;                      ///< on some of its points; else only on those that no line reaches
   bool line = true;                       ///< joins its points, where the chart has lines
   std::array<std::size_t, 2> place = {};  ///< of its values in the chart's two families
+  bool extrapolated = false;              ///< dashed, and explained; where one is, the others are solid
 };
 
 /// One of two families whose values together tell the curves apart.

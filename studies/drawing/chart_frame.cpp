@@ -64,7 +64,9 @@ class Heading {
     for (const std::string& line : lines) longest = std::max(longest, std::min(width(line), 3 * room / 2));
     const double size = font_size * static_cast<double>(room) / static_cast<double>(longest);
     for (const std::string& line : lines) add(line, longest, size, 24);
-    if (!subtitle.empty()) add(subtitle, 60, 14, 20);
+    constexpr std::size_t wide = 60, widest = 90;  // letters of a subtitle: in full size, in one line
+    for (const std::string& line : broken(subtitle, width(subtitle) > widest ? wide : widest))
+      if (!line.empty()) add(line, wide, 14, 20);
     height_ += 6;
   }
 

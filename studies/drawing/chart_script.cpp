@@ -5,6 +5,7 @@
 #include "studies/drawing/chart_frame.hpp"
 #include "studies/drawing/colour_map.hpp"
 #include "studies/drawing/gnuplot.hpp"
+#include "studies/drawing/peak_values.hpp"
 #include "studies/text/readable_number.hpp"
 
 namespace rollres {
@@ -14,35 +15,6 @@ namespace {
 using Layout = ChartSpans;
 
 constexpr double end_label_height = 17;  // of a curve's label at its end [px]
-
-/// A rectangle of the plot, in fractions of its sides.
-struct Box {
-  double x, y, half_width, half_height;
-
-  bool holds(double at_x, double at_y) const {
-    return std::abs(at_x - x) < half_width && std::abs(at_y - y) < half_height;
-  }
-  bool meets(const Box& other) const {
-    return std::abs(other.x - x) < half_width + other.half_width &&
-           std::abs(other.y - y) < half_height + other.half_height;
-  }
-  /// Whether the line or a point of a curve runs through.
-  bool meets(const ChartCurve& curve, const Layout& layout) const {
-    constexpr int parts = 8;
-    const auto& points = curve.points;
-    for (std::size_t i = 0; i < points.size(); ++i) {
-      if (!points[i].drawn()) continue;
-      const double x0 = layout.x.fraction(points[i].x), y0 = layout.y.fraction(points[i].y);
-      if (holds(x0, y0)) return true;
-      if (i + 1 == points.size() || !points[i].joined() || !points[i + 1].joined()) continue;
-      const double x1 = layout.x.fraction(points[i + 1].x), y1 = layout.y.fraction(points[i + 1].y);
-      for (int part = 1; part < parts; ++part)
-        if (const double t = static_cast<double>(part) / parts; holds(x0 + t * (x1 - x0), y0 + t * (y1 - y0)))
-          return true;
-    }
-    return false;
-  }
-};
 
 /// Axes that hold all points with a value, with room above the highest; a linear y starts at zero where no value is
 /// negative and the smallest is at most half the largest.
@@ -80,78 +52,6 @@ bool areas_are_seen(const ChartRequest& request, const Layout& layout) {
   });
 }
 
-/// The value of a peak, and where it is written.
-struct PeakValue {
-  std::size_t curve;
-  ChartPoint point;
-  std::string text;  ///< three significant digits, more where the axis spans little of the value
-  Box box;           ///< that its letters take
-};
-
-std::string peak_text(const ChartPoint& top, const Layout& layout) {
-  const double fineness = layout.y.logarithmic ? 1 : std::abs(top.y) / (layout.y.highest - layout.y.lowest);
-  return short_number(top.y, 3 + static_cast<int>(std::log10(std::max(1.0, fineness))));
-}
-
-/// Places for the middle of a text of this size around a peak: above, below, beside it, and then farther away all over
-/// the plot, the nearest first. @param far  look farther away at all
-std::vector<std::array<double, 2>> places_around(double x, double y, double half_width, bool far) {
-  std::vector<std::array<double, 2>> places{{x, y + 0.075}, {x, y - 0.075}};
-  const double aside = half_width + 0.03;
-  for (const double up : {0.055, -0.055, 0.0})
-    for (const double side : {1.0, -1.0}) places.push_back({x + side * aside, y + up});
-  if (!far) return places;
-  std::vector<std::array<double, 2>> farther;
-  constexpr int columns = 24, rows = 24;
-  for (int column = 0; column <= columns; ++column)
-    for (int row = 0; row <= rows; ++row)
-      farther.push_back({static_cast<double>(column) / columns, static_cast<double>(row) / rows});
-  const auto distance = [&](const std::array<double, 2>& place) {
-    return std::hypot(0.7 * (place[0] - x), place[1] - y);  // a step across costs less: leaders may be flat
-  };
-  std::stable_sort(farther.begin(), farther.end(),
-                   [&](const auto& one, const auto& other) { return distance(one) < distance(other); });
-  places.insert(places.end(), farther.begin(), farther.end());
-  return places;
-}
-
-/// The values of the peaks, the highest first, each where it covers no curve, no other peak and no other value; a peak
-/// for whose value the plot has no such place has none.
-std::vector<PeakValue> peak_values(const ChartRequest& request, const Layout& layout) {
-  struct Top {
-    std::size_t curve;
-    ChartPoint point;
-  };
-  std::vector<Top> tops;
-  for (std::size_t i = 0; i < request.curves.size(); ++i)
-    if (const auto place = peak(request.curves[i])) tops.push_back({i, request.curves[i].points[*place]});
-  std::stable_sort(tops.begin(), tops.end(), [](const Top& a, const Top& b) { return a.point.y > b.point.y; });
-
-  std::vector<Box> taken;  // first by the rings
-  for (const Top& top : tops)
-    taken.push_back({layout.x.fraction(top.point.x), layout.y.fraction(top.point.y), 0.014, 0.02});
-  constexpr std::size_t most_peaks = 24;  // of more the plot is full
-  std::vector<PeakValue> values;
-  for (const auto& [i, top] : tops) {
-    const std::string value = peak_text(top, layout);
-    const double half_width = 0.012 * static_cast<double>(value.size()) + 0.005;
-    for (const auto& [x, y] :
-         places_around(layout.x.fraction(top.x), layout.y.fraction(top.y), half_width, tops.size() <= most_peaks)) {
-      const Box box{x, y, half_width, 0.04};
-      const bool inside = box.y - box.half_height > 0 && box.y + box.half_height < 1.02 &&
-                          box.x - box.half_width > -0.02 && box.x + box.half_width < 1.02;
-      if (!inside || std::any_of(taken.begin(), taken.end(), [&](const Box& other) { return box.meets(other); }) ||
-          std::any_of(request.curves.begin(), request.curves.end(),
-                      [&](const ChartCurve& curve) { return box.meets(curve, layout); }))
-        continue;
-      values.push_back({i, top, value, box});
-      taken.push_back(box);
-      break;
-    }
-  }
-  return values;
-}
-
 /// Whether the curves bear their labels, and the values of their peaks, at their ends: many curves in an order.
 bool labels_at_ends(const ChartRequest& request) {
   constexpr std::size_t most_in_legend = 5;
@@ -167,7 +67,15 @@ struct Look {
   int filled, hollow;  // gnuplot's point types
   std::string_view dash;
 };
+constexpr std::string_view extrapolated_dash = "(10,6)";
+
+bool extrapolates(const ChartRequest& request) {
+  return std::any_of(request.curves.begin(), request.curves.end(),
+                     [](const auto& curve) { return curve.extrapolated; });
+}
+
 Look look(const ChartRequest& request, std::size_t curve) {
+  const bool dashed = request.curves[curve].extrapolated, solid = !dashed && extrapolates(request);
   curve = request.curves[curve].like.value_or(curve);
   const std::size_t count = request.curves.size();
   constexpr std::array<int, 6> filled{7, 5, 9, 13, 11, 15}, hollow{6, 4, 8, 12, 10, 14};
@@ -180,13 +88,13 @@ Look look(const ChartRequest& request, std::size_t curve) {
   if (labels_at_ends(request)) return {ordered_colour(curve, count), 7, 6, "1"};
   const bool ordered = request.ordered && count > 2;
   return {ordered ? ordered_colour(curve, count) : std::string(curve_colour(curve)), filled[curve % filled.size()],
-          hollow[curve % hollow.size()], dashes[curve % dashes.size()]};
+          hollow[curve % hollow.size()], dashed ? extrapolated_dash : dashes[solid ? 0 : curve % dashes.size()]};
 }
 
 void write_peak_values(std::ostream& script, const ChartRequest& request, const Layout& layout) {
   for (const PeakValue& value : peak_values(request, layout)) {
     const std::string colour = letter_colour(look(request, value.curve).colour);
-    const Box& box = value.box;
+    const LabelBox& box = value.box;
     script << "set label " << gnuplot::quoted(value.text) << " at graph " << short_number(box.x, 4) << ", graph "
            << short_number(box.y, 4) << " center tc rgb '" << colour << "' front\n";
     const double x = layout.x.fraction(value.point.x), y = layout.y.fraction(value.point.y);
@@ -307,6 +215,8 @@ std::vector<LegendEntry> legend(const ChartRequest& request, bool crosses, bool 
   }
   const std::size_t curves = entries.size();
   const std::string grey = " lw 1.5 lc rgb '#444444'";
+  if (extrapolates(request))
+    entries.push_back({"lines dt " + std::string(extrapolated_dash) + grey, "extrapolated", 12});
   if (hollow) entries.push_back({"points pt 6 ps 0.7" + grey, "not converged", 13});
   if (areas && !request.areas.empty())
     entries.push_back({"boxes fc rgb '#444444' fs transparent solid 0.2 noborder", gnuplot::plain(request.areas),

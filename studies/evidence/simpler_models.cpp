@@ -201,7 +201,7 @@ std::string simpler_models_text(const RollingScene& scene, const RollingSolution
     }
     if (!(std::abs(off) <= beside_the_point)) {
       unlike += (unlike.empty() ? "" : ", ") + model.name +
-                (std::isfinite(off) ? " (" + short_number(1 + off, 2) + " times)" : " (no answer)");
+                (std::isfinite(off) ? " (" + short_number(1 + off, 2) + " times R_r)" : " (no answer)");
       continue;
     }
     const bool solved = model.seconds > 0, near = scene.tolerance && std::abs(off) <= *scene.tolerance;
@@ -212,7 +212,7 @@ std::string simpler_models_text(const RollingScene& scene, const RollingSolution
   }
   std::ostringstream text("simpler models: " + verdict(models, scene.tolerance, full) + '\n', std::ios::ate);
   write_aligned(text, table, "", "  ");
-  if (!unlike.empty()) text << "  far from this scene: " << unlike << '\n';
+  if (!unlike.empty()) text << "  does not apply here: " << unlike << '\n';
   if (!richer.empty()) text << "  " << richer << '\n';
   return text.str();
 }

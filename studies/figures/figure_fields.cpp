@@ -1,6 +1,5 @@
 #include <algorithm>
 #include <cassert>
-#include <cmath>
 
 #include "studies/drawing/colour_map.hpp"
 #include "studies/drawing/contour_levels.hpp"

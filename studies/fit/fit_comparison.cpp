@@ -29,7 +29,7 @@ void require_comparable(const FitCandidate& a, const FitCandidate& b) {
   if (b.report.values.empty()) throw std::invalid_argument(b.source + ": has no prediction to compare");
   if (b.resistance && b.resistance->loss != Loss::none)
     throw std::invalid_argument(b.source + ": loss = " + std::string(name_of(b.resistance->loss)) +
-                                ": has no likelihood by which fits could be compared");
+                                ": a robust loss has no likelihood, so fits with it cannot be compared");
   const bool noise = has_fitted_noise(a) || has_fitted_noise(b);
   const auto same = [&](const FittedValue& one, const FittedValue& other) {
     const auto equal = [](double x, double y) { return std::abs(x - y) <= 1e-12 * std::abs(x); };

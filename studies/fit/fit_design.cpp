@@ -241,7 +241,7 @@ FitDesign design_of(const FitFile& file, const FitReport& report, const Evaluate
 std::string design_summary(const FitDesign& design, const FitFile& file) {
   std::ostringstream text;
   text << "\nnext measurement, for " << design.speeds.aims[design.speeds.worst].name
-       << " (the worst known), with the relative deviation that the data have\n";
+       << " (the least certain), measured with the relative deviation of the data\n";
   if (design.speeds.choices.empty() && design.anywhere.choices.empty())
     return text.str() + "  no scene in the ranges has an answer\n";
   text << "speeds\n";

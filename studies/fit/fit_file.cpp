@@ -40,7 +40,7 @@ struct GivenParameter {
 constexpr const char* parameter_rule =
     "must be a start, or an object with start, lowest, highest, scale, fixed, data, prior, or of a list smooth";
 
-constexpr const char* noise_rule = "must be an empty object, or one with the data set that it is of: it needs no start";
+constexpr const char* noise_rule = "must be {} or {\"data\": SET}: a noise needs no start";
 
 GivenParameter given_parameter(const std::string& key, const Json& value, const std::string& fit_place) {
   const std::string place = fit_place + ": parameters";
@@ -145,7 +145,7 @@ double parameter_deviation(const GivenParameter& given, const Json& value, const
 /// What was known before needs it.
 void need_sigma(const FitFile& fit, const std::string& place, const char* key, const Json& value) {
   if (!fit.deviations_known && fit.noise.empty())
-    refuse(place, key, value, "needs the sigma of the data too: they say which of both weighs more");
+    refuse(place, key, value, "needs the sigma of the data, too, which gives the weight of data against prior");
 }
 
 Prior prior_of(const GivenParameter& given, const FitFile& fit) {
@@ -245,7 +245,7 @@ FitFile read_fit(const std::filesystem::path& file) {
   for (const GivenParameter& parameter : given) {  // before priors, which need some deviation
     if (!is_noise_term(parameter.key)) continue;
     if (fit.deviations_known)
-      throw std::invalid_argument(parameter.place + ": the data have a sigma: leave one of both out");
+      throw std::invalid_argument(parameter.place + ": the data have a sigma; leave out either it or this parameter");
     fit.noise.push_back({parameter.key, parameter.set});
   }
   warn_of_equal_weights(fit);

@@ -1,6 +1,5 @@
 #include "studies/fit/material_file.hpp"
 
-#include <array>
 #include <numbers>
 #include <optional>
 #include <stdexcept>

@@ -54,7 +54,7 @@ ShiftFile read_shift_fit(const std::filesystem::path& file) {
   fit.relative_to = take_reference(fit.data);
   if (fit.relative_to)
     fit.notes.push_back("the row at " + readable(*fit.relative_to, "K") +
-                        " is the reference of the table, 1 by definition, and no datum");
+                        " is the reference (a_T = 1) and does not count as a measurement");
   return fit;
 }
 

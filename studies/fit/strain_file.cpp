@@ -1,6 +1,5 @@
 #include "studies/fit/strain_file.hpp"
 
-#include <array>
 #include <stdexcept>
 
 #include "core/material/strain_softening.hpp"
@@ -35,7 +34,7 @@ void require_one_value(const MeasuredTable& table, std::string_view name, std::s
   for (std::size_t row = 1; column && row < table.rows(); ++row)
     if (measured_number(table, *column, row, unit) != measured_number(table, *column, 0, unit))
       throw std::invalid_argument(table.place(row) + ": " + heading(*column) + " = " + column->cells[row] +
-                                  ": must be that of the first row: a strain sweep is made at one frequency and "
+                                  ": must be the same in all rows: a strain sweep is made at one frequency and "
                                   "temperature");
 }
 

@@ -71,7 +71,7 @@ std::vector<std::string> undecided(std::span<const DesignProblem> problems, cons
     const auto words = [&](double value) { return readable(value, problems[i].unit(problems[i].goal.formula)); };
     sentences.push_back(chosen_in_words(problems[i]) + " is worse than the best by " + words(apart) +
                         ", less than the errors of both (" + words(open) +
-                        "): they may change places unless both err alike");
+                        "), so the better one may be the worse in truth");
   }
   return sentences;
 }

@@ -302,7 +302,7 @@ void read_uncertain(DesignProblem& problem, const Json& file, const std::vector<
   if (!problem.uncertain.any()) return;
   if (!problem.uncertain.probabilities.empty())
     refuse(place + ": uncertain", "probability", file["uncertain"]["probability"],
-           "is told by rollres scatter; here a constraint with \"scatter\": \"P95\" keeps it below 5 %");
+           "is for rollres scatter; in an optimisation a constraint with \"scatter\": \"P95\" keeps it below 5 %");
   refuse_no_scatter(problem, file["uncertain"], place + ": uncertain");
   problem.uncertain_points = uncertain_points(problem.uncertain);
 }

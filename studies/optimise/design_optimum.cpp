@@ -1,6 +1,5 @@
 #include "studies/optimise/optimise.hpp"
 
-#include <algorithm>
 #include <cmath>
 
 #include "core/numerics/dense_algebra.hpp"

@@ -140,7 +140,7 @@ std::vector<PredictedScene> predicted(const FitRecord& fit, const std::string& o
                                       const std::vector<AskedScene>& asked, PredictedAs as, const Evaluate& evaluate,
                                       int jobs) {
   if (fit.kind != "resistance")
-    throw std::invalid_argument(fit.name + ": predictions are of fits of scenes, and this is one of a " + fit.kind);
+    throw std::invalid_argument(fit.name + ": only a fit of scenes can predict; this is a fit of a " + fit.kind);
   const FitKnowledge known = knowledge_of(fit, asked);
   std::vector<MeasuredScene> scenes;
   for (const AskedScene& one : asked) {

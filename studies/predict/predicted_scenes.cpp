@@ -10,7 +10,6 @@
 #include "studies/scene_io/scene_overrides.hpp"
 #include "studies/scene_io/usual_names.hpp"
 #include "studies/study/study.hpp"
-#include "studies/text/units.hpp"
 #include "studies/text/words.hpp"
 
 namespace rollres {

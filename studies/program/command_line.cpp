@@ -143,7 +143,10 @@ void Command::parse(std::vector<std::string> words, std::ostream& out, std::ostr
     std::reverse(words.begin(), words.end());  // as CLI11 wants them
     app_->parse(words);
   } catch (const CLI::ParseError& error) {
-    if (error.get_exit_code() != 0) throw std::invalid_argument(error.what());
+    const std::string message = error.what();
+    if (message == "--db is required")
+      throw std::invalid_argument(message + ", or " + database_variable + "=FILE in the environment");
+    if (error.get_exit_code() != 0) throw std::invalid_argument(message);
     app_->exit(error, out, err);  // help or version
   }
 }

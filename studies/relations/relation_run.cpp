@@ -1,7 +1,6 @@
 #include "studies/relations/relation_run.hpp"
 
 #include <algorithm>
-#include <cmath>
 
 #include "studies/scene_io/cells.hpp"
 #include "studies/text/readable_number.hpp"

@@ -1,8 +1,8 @@
 #include <algorithm>
 
+#include "studies/figures/material_chart.hpp"
 #include "studies/report/html.hpp"
 #include "studies/report/report_sections.hpp"
-#include "studies/text/readable_number.hpp"
 #include "studies/text/similar_texts.hpp"
 
 namespace rollres {
@@ -46,31 +46,16 @@ std::vector<RollingScene> scenes_of_curves(const ReportSource& source) {
   return found;
 }
 
-ChartRequest master_curve_chart(const ReportSource& source, const RollingScene& scene) {
-  const auto [least, largest] = std::minmax_element(scene.storage_moduli.begin(), scene.storage_moduli.end());
-  const ScaledUnit unit = scaled_unit_logarithmic("Pa", *least, *largest);
-  ChartRequest request{.title = title_of_study(source.definition, source.study.name),
-                       .subtitle = "moduli as listed, at the reference temperature",
-                       .x = {.name = "frequency", .unit = "Hz", .logarithmic = true},
-                       .y = {.name = "modulus", .unit = typeset_unit(unit.name), .logarithmic = true},
-                       .curves = {{"storage modulus", {}}, {"loss modulus", {}}},
-                       .mark_peaks = false};
-  for (std::size_t i = 0; i < scene.frequencies.size(); ++i)
-    for (const auto& [curve, moduli] : {std::pair(0, &scene.storage_moduli), std::pair(1, &scene.loss_moduli)})
-      if ((*moduli)[i] > 0)
-        request.curves[static_cast<std::size_t>(curve)].points.push_back(
-            {scene.frequencies[i], (*moduli)[i] / unit.factor});
-  std::erase_if(request.curves, [](const ChartCurve& curve) { return curve.points.empty(); });
-  return request;
-}
-
 }  // namespace
 
 PictureSection master_curve_section(const ReportSource& source) {
   std::vector<std::pair<std::string, ChartRequest>> charts;
-  for (const RollingScene& scene : scenes_of_curves(source))
-    charts.emplace_back("The master curve of the layer, " + std::to_string(scene.frequencies.size()) + " values",
-                        master_curve_chart(source, scene));
+  for (MaterialInputs layer : scenes_of_curves(source)) {
+    layer.temperature.reset();  // a study may vary it
+    const std::string words = "The master curve of the layer, " + std::to_string(layer.frequencies.size()) + " values";
+    charts.emplace_back(words, moduli_chart(layer, title_of_study(source.definition, source.study.name)));
+    charts.back().second.subtitle += ", at the reference temperature";
+  }
   return chart_pictures(charts);
 }
 

@@ -65,7 +65,7 @@ std::string progress_line(const SweepProgress& progress, std::size_t width) {
     words += duration_in_words(static_cast<double>(left) / rate) + " left";
   }
   if (progress.failed > 0) words += ", " + std::to_string(progress.failed) + " failed";
-  if (progress.stopping) words += "; stopping after the points in work (again: at once)";
+  if (progress.stopping) words += "; stopping after the running points (interrupt again: at once)";
   if (words.size() >= width) return words.substr(0, width);
   const std::size_t length = std::min<std::size_t>(40, width - words.size());
   if (length < 10) return words;

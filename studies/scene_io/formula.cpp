@@ -172,7 +172,7 @@ struct Formula::Parts {
     const bool known = find_name(parts.known, name) >= 0 || is_number_of_layer(name) || (of_answer && answered);
     if (!known && (of_answer || find_name(number_keys(FormulaNames::inputs_and_outputs), name) >= 0))
       throw std::invalid_argument(shortened(parts.text) + ": " + name +
-                                  " is known once a scene is solved; here only its inputs are");
+                                  " is an output; here only inputs are known, before a scene is solved");
     if (!known) {
       std::vector<std::string_view> all = parts.known;
       for (const std::string_view key : keys_like(name))
@@ -273,15 +273,15 @@ void refuse_different_units(const Formula& formula, Body body) {
   refuse_doubtful_limits(formula.text(), body);
   if (unit_of_value(formula, body)) return;
   throw std::invalid_argument(
-      formula.text() + ": its terms have different units, and a number alone has none: " + units_in(formula, body) +
-      "; a number has a unit in brackets, as in 2 [kN/m2] * approach");
+      formula.text() + ": its terms have different units; a number without brackets has none: " +
+      units_in(formula, body) + "; write the unit of a number in brackets, as in 2 [kN/m2] * approach");
 }
 
 void refuse_absent(const Formula& formula, const RollingScene& scene) {
   for (const std::string& key : formula.keys())
     if (const std::string why = why_absent(scene, key); !why.empty())
       throw std::invalid_argument((formula.text() == key ? key : formula.text() + ": " + key) +
-                                  " is never there: " + why);
+                                  " is not computed: " + why);
 }
 
 Condition::Condition(const std::string& text, FormulaNames names, Body body, const FormulaDefinitions& definitions)

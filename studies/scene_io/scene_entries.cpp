@@ -236,7 +236,7 @@ InputValue input_value(const SceneEntry& entry, const InputKind& kind, Body body
     const auto& name = entry.value.get_ref<const std::string&>();
     if (kind.quantity.key == "kinematics" && name == "deformed")
       fail(rule +
-           "; nodes that move with a surface whose layer stays linear are further off than the linear theory: "
+           "; moving nodes on a linear layer are less exact than the linear theory; "
            "method = \"finite_strain\" has exact positions and strains");
     if (find_name(kind.choices, name) < 0) fail(unknown(rule, kind.choices, name));
     return name;

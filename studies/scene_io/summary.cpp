@@ -109,7 +109,7 @@ std::string explanation(const RollingScene& scene, const RollingSolution& soluti
   text += "assumed\n";
   for (const std::string& assumption : solution.assumptions) text += "  - " + assumption + '\n';
   if (std::isfinite(solution.model_error))
-    text += "  - by all of these together R_r is off by about " + percent(solution.model_error, 2) + '\n';
+    text += "  - together these change R_r by about " + percent(solution.model_error, 2) + '\n';
   return text;
 }
 

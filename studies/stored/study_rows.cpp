@@ -75,7 +75,8 @@ StudyRows::StudyRows(ResultStore& store, const std::string& study, const std::ve
                                         [](const Filter& filter) { return filter.per_metre.has_value(); });
     throw std::invalid_argument(
         place + ": " + (filters.empty() ? "no point is computed yet" : "no point matches") +
-        (unit_tells ? "; a value in N finds spheres and bodies with a width, one in N/m cylinders without" : ""));
+        (unit_tells ? "; a value in N finds spheres and cylinders with a width, a value in N/m cylinders without width"
+                    : ""));
   }
   if (named && values(*columns_[of_variants]) == std::set<Cell>{Cell()})  // no point is of a variant
     columns_.erase(columns_.begin() + static_cast<std::ptrdiff_t>(of_variants));

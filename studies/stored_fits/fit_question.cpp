@@ -1,7 +1,6 @@
 #include "studies/stored_fits/fit_question.hpp"
 
 #include <algorithm>
-#include <array>
 #include <deque>
 #include <stdexcept>
 

@@ -54,8 +54,7 @@ GivenAxis single_axis(const std::string& key, const Json& value, const std::stri
 std::vector<GivenAxis> zip(const std::string& name, const Json& object, const std::string& axes_place) {
   const std::string place = axes_place + ": " + name;
   if (find_input(name) || name == sample_group || name == uncertain_group || name.empty())
-    refuse(place, "zip", object["zip"],
-           "a zip needs a name of its own, not that of an input and not \"sample\" nor \"uncertain\"");
+    refuse(place, "zip", object["zip"], "the name of a zip must not be that of an input, \"sample\" or \"uncertain\"");
   refuse_unknown_keys(object, zip_keys, place);
   const Json& inputs = object["zip"];
   const bool alone = !object.contains("columns");
@@ -176,7 +175,8 @@ void refuse_repeated_values(const std::vector<GivenAxis>& given, const std::vect
       if (seen.insert(values).second) continue;
       const SceneEntry& first = given[group.front()].values[i];
       refuse(first.place, first.key, first.value,
-             group.size() == 1 ? "value given twice" : "values given twice, with those that vary together with it");
+             group.size() == 1 ? "value given twice"
+                               : "given twice with the same values of the inputs that vary together with it");
     }
   }
 }

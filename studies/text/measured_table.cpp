@@ -27,7 +27,8 @@ std::string without_brackets(const std::string& cell) {
   return bracketed ? cell.substr(1, cell.size() - 2) : cell;
 }
 
-/// The cells of a line. Quotes may enclose separators; two quotes inside stand for one.
+/// The cells of a line. Quotes may enclose separators; two quotes inside stand for one. One inside a cell that does not
+/// begin with it is a letter, as in E".
 std::vector<std::string> cells_of(const std::string& line, char separator, const std::string& place) {
   std::vector<std::string> cells(1);
   bool quoted = false;
@@ -37,8 +38,10 @@ std::vector<std::string> cells_of(const std::string& line, char separator, const
       if (quoted && i + 1 < line.size() && line[i + 1] == '"') {
         cells.back() += '"';
         ++i;
-      } else {
+      } else if (quoted || trimmed(cells.back()).empty()) {
         quoted = !quoted;
+      } else {
+        cells.back() += letter;
       }
     } else if (letter == separator && !quoted) {
       cells.emplace_back();
@@ -186,11 +189,14 @@ void MeasuredTable::refuse_others(
     const std::function<std::vector<std::string_view>(const MeasuredColumn&)>& known_beside,
     const std::string& otherwise) const {
   std::string bad;
+  bool strange = false;  // a name that resembles none
   for (const MeasuredColumn& column : columns)
-    if (const std::vector<std::string_view> known = known_beside(column); find_name(known, column.name) < 0)
-      bad += (bad.empty() ? "" : "; ") + name_in_file(column) + ": " +
-             unknown("unknown column", known, column.name, otherwise);
-  if (!bad.empty()) fail(file, bad);
+    if (const std::vector<std::string_view> known = known_beside(column); find_name(known, column.name) < 0) {
+      const std::string words = unknown("unknown column", known, column.name);
+      strange = strange || !words.ends_with('?');
+      bad += (bad.empty() ? "" : "; ") + name_in_file(column) + ": " + words;
+    }
+  if (!bad.empty()) fail(file, bad + (strange && !otherwise.empty() ? "; " + otherwise : ""));
 }
 
 void MeasuredTable::leave_out(std::span<const std::string> names) {

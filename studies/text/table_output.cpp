@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <ostream>
-#include <sstream>
 
 #include "studies/text/readable_number.hpp"
 #include "studies/text/table_json.hpp"

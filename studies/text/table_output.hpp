@@ -2,6 +2,7 @@
 
 /// Tables of stored results as text.
 
+#include <algorithm>
 #include <array>
 #include <iosfwd>
 #include <string>
@@ -35,6 +36,14 @@ void write_json(std::ostream& out, const Table& table);
 void write_json_lines(std::ostream& out, const Table& table);
 
 inline constexpr std::array<std::string_view, 5> table_formats{"table", "csv", "json", "jsonl", "markdown"};
+
+/// These, and a command's own.
+template <std::size_t N>
+constexpr auto table_formats_and(const std::array<std::string_view, N>& more) {
+  std::array<std::string_view, table_formats.size() + N> all{};
+  std::copy(more.begin(), more.end(), std::copy(table_formats.begin(), table_formats.end(), all.begin()));
+  return all;
+}
 
 /// One of the above, by its name; of an empty table nothing as "table".
 void write_table(std::ostream& out, const Table& table, std::string_view format);

@@ -9,7 +9,7 @@
 #include "tests/studies/study_points.hpp"
 #include "tests/studies/temporary_directory.hpp"
 
-// Covers study_definition and derived_error, too.
+// Covers study_definition, shown_study and resistance_error, too.
 
 using namespace rollres;
 using Catch::Matchers::Contains;

@@ -220,7 +220,7 @@ TEST_CASE("Kraus's model is fitted to a strain sweep, drawn, stored and solved w
   CHECK_THAT(told(head + "0.1,5,0.5\n0,4,0.6\n"), Catch::Contains("t.csv, line 3: strain [%] = 0: must be > 0"));
   CHECK_THAT(told(head + "0.1,5,0.5\n1,-4,0.6\n"), Catch::Contains("line 3: storage_modulus [MPa] = -4: must be > 0"));
   CHECK_THAT(told("frequency [Hz]," + head + "1,0.1,5,0.5\n10,1,4,0.6\n"),
-             Catch::Contains("line 3: frequency [Hz] = 10: must be that of the first row: a strain sweep is made at "
+             Catch::Contains("line 3: frequency [Hz] = 10: must be the same in all rows: a strain sweep is made at "
                              "one frequency and temperature"));
   CHECK_THAT(told("storage_modulus [MPa],loss_modulus [MPa]\n5,0.5\n"), Catch::Contains("strain"));
   CHECK_THAT(told(head + "0.1,5,0.5\n", R"(, "sweep_deformation": "torsion")"),

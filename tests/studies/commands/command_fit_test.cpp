@@ -172,7 +172,7 @@ TEST_CASE("noise is fitted where no sigma is given, and refused where there is o
   CHECK(noise["name"] == "relative_noise");
   CHECK(std::abs(noise["value"].get<double>() - 0.02) < 3 * noise["standard_error"].get<double>());
   fit["parameters"]["relative_noise"] = 0.02;
-  CHECK_THAT(files.run(fit).err, Catch::Contains("relative_noise") && Catch::Contains("empty object"));
+  CHECK_THAT(files.run(fit).err, Catch::Contains("relative_noise") && Catch::Contains("needs no start"));
 }
 
 TEST_CASE("rollres fit warns of a row given twice and of a negative resistance", "[studies][fit]") {

@@ -90,7 +90,7 @@ TEST_CASE("formulas of a study scatter as its outputs do", "[studies][command_sc
         Approx(2 * outputs[1]["mean"]["value"].get<double>()).epsilon(1e-12));
   const ProgramRun inside = files.run({"--output", "bond_shear"});
   CHECK(inside.status == 2);
-  CHECK_THAT(inside.err, Catch::Contains("--output: bond_shear is never there: interior = on computes it"));
+  CHECK_THAT(inside.err, Catch::Contains("--output: bond_shear is not computed: interior = on computes it"));
 }
 
 TEST_CASE("a scatter is told in words, with its errors and its distributions", "[studies][command_scatter]") {

@@ -162,7 +162,7 @@ TEST_CASE("forty hostile names are variants of one study, and its comment", "[st
   std::vector<std::string> of_bodies = chart;
   of_bodies.insert(of_bodies.end(), {"--where", "load<=12 kN"});
   CHECK_THAT(run_rollres(of_bodies, closed_form).err,
-             Contains("no point matches; a value in N finds spheres and bodies"));
+             Contains("no point matches; a value in N finds spheres and cylinders with a width"));
   chart.insert(chart.end(), {"--where", "load<=12 kN/m"});  // the first twenty
   runs(chart);
   CHECK(is_escaped(file_text(folder / "chart.svg")));

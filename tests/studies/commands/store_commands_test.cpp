@@ -97,7 +97,7 @@ TEST_CASE("ROLLRES_DB stands in for the database that a command needs and is not
   const WithVariable none("ROLLRES_DB", "");
   const ProgramRun refused = run_rollres({"list"}, fails_when_fast);
   CHECK(refused.status == 2);
-  CHECK_THAT(refused.err, Catch::Contains("--db is required"));
+  CHECK_THAT(refused.err, Catch::Contains("--db is required, or ROLLRES_DB=FILE in the environment"));
 }
 
 TEST_CASE("list tells the studies of a database and how far they are", "[studies][commands]") {

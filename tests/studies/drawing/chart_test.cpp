@@ -14,7 +14,7 @@
 #include "tests/plain_scene.hpp"
 #include "tests/studies/temporary_directory.hpp"
 
-// Covers chart_frame and chart_script, too.
+// Covers chart_frame, chart_script and peak_values, too.
 
 using namespace rollres;
 namespace fs = std::filesystem;
@@ -358,4 +358,13 @@ TEST_CASE("a chart of a single point, and of points of one height, is drawn", "[
   CHECK_NOTHROW(draw_chart(request, folder / "flat"));
   request.curves = {{"", {{-1, -2}, {1, -1e-7}}}, {"empty", {}}};
   CHECK_NOTHROW(draw_chart(request, folder / "negative"));
+}
+
+TEST_CASE("a long subtitle is broken into lines and not cut", "[studies][chart]") {
+  ChartRequest request = two_loads();
+  request.subtitle =
+      "layer thickness of coating [0] = 12 mm, static shear modulus of coating [0] = 2 MPa, radius = 50 mm";
+  const std::string script = chart_script(request, chart_files("chart"));
+  CHECK_THAT(script, Contains("static shear modulus  '") && Contains("radius = 50 mm  '"));
+  CHECK_THAT(script, !Contains("…"));
 }

@@ -191,7 +191,7 @@ TEST_CASE("a robust problem that leaves something open is refused", "[studies][o
   CHECK(bounds(R"("poisson_ratio": {"from": 0.3, "to": 0.499})",
                R"("poisson_ratio": {"normal": "5 %", "truncated": true})") == "nothing");
   CHECK_THAT(refusal_of(R"("uncertain": {"load": {"normal": "5 %"}, "probability": ["approach > 1 mm"]})" + goal),
-             Contains("is told by rollres scatter"));
+             Contains("is for rollres scatter"));
 }
 
 TEST_CASE("the example of a robust design is understood, each goal by its scatter", "[studies][optimise]") {

@@ -60,18 +60,18 @@ TEST_CASE("a formula names the numbers of a list of the answer, by their places"
   CHECK(unit_of(Formula("bond_shears[1]", FormulaNames::inputs_and_outputs), Indenter::cylinder) == "Pa");
   RollingScene scene = plain_scene();
   CHECK(message_of([&] { refuse_absent(Formula("bond_shears[0]", FormulaNames::inputs_and_outputs), scene); }) ==
-        "bond_shears[0] is never there: interior = on computes it");
+        "bond_shears[0] is not computed: interior = on computes it");
   scene.interior = Interior::on;
   CHECK(message_of([&] { refuse_absent(Formula("bond_shears[1]", FormulaNames::inputs_and_outputs), scene); }) ==
-        "bond_shears[1] is never there: the scene has 1 layer: [0]");
+        "bond_shears[1] is not computed: the scene has 1 layer: [0]");
   CHECK(message_of([] { Formula("bond_shears[0]", FormulaNames::inputs); }) ==
-        "bond_shears[0]: bond_shears[0] is known once a scene is solved; here only its inputs are");
+        "bond_shears[0]: bond_shears[0] is an output; here only inputs are known, before a scene is solved");
 }
 
 TEST_CASE("a formula that cannot be understood is refused with the nearest key", "[studies][formula]") {
   CHECK(refusal("rolling_resistence * 2") ==
         "rolling_resistence * 2: rolling_resistence: unknown key; did you mean rolling_resistance?");
-  CHECK(refusal("rolling_resistance", inputs).find("is known once a scene is solved") != std::string::npos);
+  CHECK(refusal("rolling_resistance", inputs).find("is an output; here only inputs are known") != std::string::npos);
   CHECK(refusal("speed +").find("speed +: ") == 0);
   CHECK(refusal("speed, load").find("one formula") != std::string::npos);
   CHECK(refusal("").find(": ") != std::string::npos);

@@ -120,7 +120,7 @@ TEST_CASE("a cylinder's load given for a sphere is refused by its unit", "[studi
 
 TEST_CASE("kinematics of deformed nodes are refused with the reason and the alternative", "[studies][scene_file]") {
   CHECK_THROWS_WITH(read_scene(cylinder, {"kinematics=deformed"}),
-                    Catch::Contains("kinematics = \"deformed\": must be one of consistent, printed; nodes that move") &&
+                    Catch::Contains("kinematics = \"deformed\": must be one of consistent, printed; moving nodes") &&
                         Catch::Contains("method = \"finite_strain\" has exact positions"));
 }
 

@@ -144,9 +144,10 @@ TEST_CASE("formulas stand in constraints and charts, and in goals of an optimisa
 
 TEST_CASE("formulas that are wrong are refused with file, name, formula and rule", "[studies][derived]") {
   CHECK(derived_refusal(deborah) == "nothing");
-  CHECK_THAT(derived_refusal(R"({"a": "speed + load"})"),
-             Contains("s.json: compute: a: speed + load: its terms have different units, and a number alone has none: "
-                      "speed [m/s], load [N/m]"));
+  CHECK_THAT(
+      derived_refusal(R"({"a": "speed + load"})"),
+      Contains("s.json: compute: a: speed + load: its terms have different units; a number without brackets has none: "
+               "speed [m/s], load [N/m]"));
   CHECK_THAT(derived_refusal(R"({"a": "creep_tim"})"), Contains("unknown key; did you mean creep_time?"));
   CHECK_THAT(derived_refusal(R"({"speed": "load"})"), Contains("names a column that is there already"));
   CHECK_THAT(derived_refusal(R"({"variant": "load"})"), Contains("names a column that is there already"));
@@ -158,6 +159,6 @@ TEST_CASE("formulas that are wrong are refused with file, name, formula and rule
   CHECK_THAT(derived_refusal("[]"), Contains("must be a list of outputs and of objects"));
   CHECK_THAT(derived_refusal(R"(["speed * load"])"), Contains("a formula is {name: formula}"));
   CHECK_THAT(derived_refusal(deborah, R"(, "constraints": ["power <= 3"])"),
-             Contains("is known once a scene is solved"));
+             Contains("is an output; here only inputs are known"));
   CHECK_THAT(derived_refusal(deborah, R"(, "chart": {"y": "powr"})"), Contains("did you mean power?"));
 }

@@ -202,7 +202,7 @@ const std::vector<Wrong> wrong_studies{
     {study_with(R"({"speed": [1]})", R"(, "constraints": [" >= 3"])"),
      ": constraint 1: >= 3: must be two formulas with one of <= < >= > between them"},
     {study_with(R"({"speed": [1]})", R"(, "constraints": ["peak_pressure < 1"])"),
-     ": constraint 1: peak_pressure: peak_pressure is known once a scene is solved; here only its inputs are"},
+     ": constraint 1: peak_pressure: peak_pressure is an output; here only inputs are known, before a scene is solved"},
     {study_with(R"({"speed": [1, 2]})", R"(, "constraints": ["speed > 2"])"),
      ": constraints: no point is left of 2: speed > 2 drops 2"},
     {study_with(R"({"speed": [1, 2]})", R"(, "constraints": ["approach < 1 mm"])"),
@@ -219,11 +219,10 @@ const std::vector<Wrong> wrong_studies{
     {study_with(R"({"layer": {"zip": {"radius": [0.02], "speed": [1]}, "points": 3}})"),
      ": axes: layer: points = 3: unknown key; known are zip, columns"},
     {study_with(R"({"speed": {"zip": {"radius": [0.02], "speed": [1]}}})"),
-     ": axes: speed: zip = {\"radius\":[0.02],\"speed\":[1]}: a zip needs a name of its own, not that of an input and "
-     "not "
-     "\"sample\" nor \"uncertain\""},
+     ": axes: speed: zip = {\"radius\":[0.02],\"speed\":[1]}: the name of a zip must not be that of an "
+     "input, \"sample\" or \"uncertain\""},
     {study_with(R"({"layer": {"zip": {"radius": [0.02, 0.02], "speed": [1, 1]}}})"),
-     ": axes: layer: zip: radius = 0.02: values given twice, with those that vary together with it"},
+     ": axes: layer: zip: radius = 0.02: given twice with the same values of the inputs that vary together with it"},
     {study_with(R"({"speed": [1], "layer": {"zip": {"radius": [0.02], "speed": [1]}}})"),
      ": axes: layer: zip: speed = [1]: varies already"},
     {study_with(R"({"layer": {"zip": {"load": [1], "approach": [1e-3]}}})"),

@@ -148,9 +148,9 @@ TEST_CASE("numbers of the inside that no scene of a study computes are refused w
   };
   const std::string formula = R"("compute": ["load", {"share": "bond_shear / peak_pressure"}])";
   CHECK_THROWS_WITH(read("", "", formula),
-                    Catch::Contains("compute: bond_shear / peak_pressure: bond_shear is never there: interior = on"));
+                    Catch::Contains("compute: bond_shear / peak_pressure: bond_shear is not computed: interior = on"));
   CHECK_THROWS_WITH(read("", "", R"("chart": {"x": "speed", "y": "interior_loss"})"),
-                    Catch::Contains("chart: interior_loss is never there: interior = on"));
+                    Catch::Contains("chart: interior_loss is not computed: interior = on"));
   CHECK_NOTHROW(read(R"(, "interior": "on")", "", formula));
   CHECK_NOTHROW(read("", R"(, "interior": ["off", "on"])", formula));
   CHECK_NOTHROW(read("", R"(, "variant": {"a": {"radius": "3 cm"}, "b": {"interior": "on"}})", formula));

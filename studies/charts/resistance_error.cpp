@@ -1,4 +1,4 @@
-#include "studies/charts/derived_error.hpp"
+#include "studies/charts/resistance_error.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -13,14 +13,15 @@ bool is_resistance(const std::string& key) {
 
 }  // namespace
 
-DerivedError::DerivedError(const QuantityColumn& column) {
-  if (find_quantity_column(column.name)) return;
-  Formula formula(std::string(column.quantity.meaning), FormulaNames::inputs_and_outputs);
+ResistanceError::ResistanceError(const QuantityColumn& column) {
+  if (find_quantity_column(column.name) && !is_resistance(column.name)) return;
+  Formula formula(is_resistance(column.name) ? column.name : std::string(column.quantity.meaning),
+                  FormulaNames::inputs_and_outputs);
   const std::vector<std::string>& keys = formula.keys();
   if (std::any_of(keys.begin(), keys.end(), is_resistance)) formula_ = std::move(formula);
 }
 
-double DerivedError::operator()(const StudyRows& rows, std::size_t row) const {
+double ResistanceError::operator()(const StudyRows& rows, std::size_t row) const {
   const double error = rows.number(row, "error_estimate");
   const auto value = [&](double larger) {
     return (*formula_)([&](const std::string& key) {
