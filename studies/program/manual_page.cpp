@@ -1,6 +1,5 @@
 #include "studies/program/manual_page.hpp"
 
-
 #include "studies/scene_io/scene_inputs.hpp"
 #include "studies/text/words.hpp"
 
