@@ -74,6 +74,7 @@ ContactModel::ContactModel(const RollingScene& scene)
       load(per_metre(scene.load, scene)),
       approach(scene.approach),
       friction_coefficient(scene.friction_coefficient),
+      traction_limit(scene.traction_limit),
       adhesion_threshold(scene.adhesion_threshold),
       drive(scene.drive),
       driving_torque(per_metre(scene.driving_torque, scene)),

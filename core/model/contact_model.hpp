@@ -51,6 +51,7 @@ struct ContactModel {
   std::optional<double> axial_force;     // along the axle, in place of the skew [N/m]
   std::optional<double> load, approach;  // P [N/m] or [N], or d [m]
   double friction_coefficient;           // mu [1]
+  std::optional<double> traction_limit;  // tau_max [Pa]
   double adhesion_threshold;             // [Pa]
   Drive drive;
   std::optional<double> driving_torque;  // T [N] (per metre) or [N m], with drive "torque"

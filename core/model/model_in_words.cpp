@@ -35,7 +35,9 @@ std::string body_in_words(const ContactModel& model) {
 
 std::string driven(const ContactModel& model) {
   if (model.friction_coefficient == 0) return "no friction";
-  std::string text = words("friction ", model.friction_coefficient, ", drive ", name_of(model.drive));
+  std::string text = words("friction ", model.friction_coefficient);
+  if (model.traction_limit) text += words(", at most ", *model.traction_limit, " Pa");
+  text += words(", drive ", name_of(model.drive));
   if (model.driving_torque) text += " " + told(model, *model.driving_torque, "N m/m", "N m");
   if (model.rotation_ratio) text += words(" at RΩ/V = ", *model.rotation_ratio);
   return text;

@@ -189,6 +189,14 @@ void check_alternatives(const RollingScene& scene, BrokenRules& broken) {
     broken.add("tolerance", *scene.tolerance, "give spacing or tolerance, not both");
 }
 
+/// Methods whose friction is of nodal forces have no bound in pascal.
+void check_traction_limit(const RollingScene& scene, BrokenRules& broken) {
+  if (!scene.traction_limit || scene.friction_coefficient == 0) return;
+  if (scene.method == Method::active_set || scene.method == Method::finite_strain)
+    broken.add("traction_limit", *scene.traction_limit,
+               message_text("not with method \"", name_of(scene.method), "\" and friction"));
+}
+
 /// What a cylinder whose axle is turned is not solved with.
 void check_skew(const RollingScene& scene, BrokenRules& broken) {
   if (scene.skew_angle && scene.axial_force)
@@ -289,6 +297,8 @@ std::string spectral_refusal(const ContactModel& model) {
   if (model.dimension == 3) return "method = spectral: only for a cylinder";
   if (model.period) return message_text("period = ", *model.period, ": not with method \"spectral\"");
   if (model.lateral()) return "skew_angle: not with method \"spectral\" and friction";
+  if (model.traction_limit && model.friction_coefficient > 0)
+    return message_text("traction_limit = ", *model.traction_limit, ": not with method \"spectral\" and friction");
   if (model.coating.empty()) return {};
   if (model.inertia) return "inertia: not with method \"spectral\" and a coating";
   if (coating_remembers_ahead(model))
@@ -326,6 +336,7 @@ std::vector<std::string> check(const RollingScene& scene) {
   check_against_radius(scene, broken);
   check_drive(scene, broken);
   check_skew(scene, broken);
+  check_traction_limit(scene, broken);
   check_model(scene, in_range, broken);
   return broken.lines;
 }

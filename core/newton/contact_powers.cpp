@@ -97,7 +97,7 @@ ContactPowers contact_powers(const ContactProblem& problem, const Displacements&
   const double turning = problem.turning_ratio(unknowns.rotation_ratio);
   powers.load_found = !problem.model.load;
   const bool coated = coating.w.size() > 0;
-  double load = 0, nodes = 0;
+  double load = 0, nodes = 0, borne = 0;
   for (int row = 0; row < grid.rows; ++row)
     for (int column = 0; column < grid.columns; ++column) {
       const Eigen::Index i = grid.index(column, row), at = static_cast<Eigen::Index>(row) * (grid.columns + 1) + column;
@@ -132,13 +132,14 @@ ContactPowers contact_powers(const ContactProblem& problem, const Displacements&
       const RigidSlip rigid = problem.shape.slip(x, y);
       powers.layer -= force_u * along + force_v * across;
       powers.drawn += force_u;
+      borne += weight * problem.law.bound(unknowns.pressure(i));
       powers.friction +=
           force_u * (rigid.forward + along - turning * rigid.turning) + force_v * (problem.sideways + across);
     }
   powers.unbalanced += (problem.shape.of_coating() - 1) * (turning - 1) * powers.coating.pressed;
   if (problem.friction) powers.by_law = friction_by_law(problem, moved, coating, unknowns, zone);
   if (load > 0) powers.sticking /= load;
-  powers.drawn = load > 0 && problem.friction ? std::min(1.0, std::abs(powers.drawn) / problem.law.bound(load)) : 1;
+  powers.drawn = load > 0 && problem.friction ? std::min(1.0, std::abs(powers.drawn) / borne) : 1;
   powers.cells = std::sqrt(nodes / std::numbers::pi);
   powers.resultants = problem.resistance(unknowns.pressure, unknowns.shear_x, unknowns.rotation_ratio, powers.coating) +
                       problem.sideways * problem.axial_force(unknowns.shear_y);

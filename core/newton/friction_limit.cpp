@@ -133,6 +133,11 @@ double friction_needed(const ContactModel& model, const SurfaceGrid& half_grid) 
     if (std::isnan(value)) return RollingSolution::absent;
     if (value >= 0) continue;
     double needed = friction_root([&](double friction) { return surplus(friction); }, given);
+    // A largest traction may leave no coefficient that is enough.
+    if (std::isnan(needed) && model.traction_limit) {
+      const double excess = best_excess(surplus, given, model.load.value_or(std::abs(value)) * given);
+      return surplus(given, excess) >= 0 ? given : INFINITY;
+    }
     // Friction may give more at a moderate rotation, where part of the contact sticks or is drawn aside.
     for (int pass = 0; pass < 3 && needed > given; ++pass) {
       const double excess = best_excess(surplus, needed, model.load.value_or(std::abs(value)) * needed);

@@ -5,6 +5,7 @@
 #include <sstream>
 
 #include "core/estimate/grid_choice.hpp"
+#include "core/messages/message_text.hpp"
 #include "core/model/contact_surface.hpp"
 #include "core/model/indenter_shape.hpp"
 #include "core/newton/contact_powers.hpp"
@@ -47,6 +48,11 @@ std::string describe_failure(const ContactLevel& level) {
 
 void refuse(NestedOutcome& nested, const ContactModel& model, double needed) {
   nested.status = Status::no_steady_state;
+  if (std::isinf(needed)) {
+    nested.reason = message_text(
+        "the drive asks for more traction than friction can give with traction_limit = ", *model.traction_limit, " Pa");
+    return;
+  }
   nested.reason = too_much_traction(needed, model.friction_coefficient);
   nested.friction_needed = needed;
 }

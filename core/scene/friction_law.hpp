@@ -1,6 +1,7 @@
 #pragma once
 
-/// Coulomb's law of friction at a node.
+/// Coulomb's law of friction at a node, where one is given with a largest shear tau_max: mu |p| below stands for
+/// min(mu |p|, tau_max).
 ///
 /// With the shear traction tau on the layer, the pressure p, the slip s of the body relative to the layer and the
 /// coefficient mu,
@@ -13,6 +14,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <utility>
 
 #include "core/scene/solution.hpp"
@@ -38,18 +40,21 @@ class FrictionProjection {
 };
 
 struct FrictionLaw {
-  double coefficient = 0;  // mu [1]
+  double coefficient = 0;                                    // mu [1]
+  double largest = std::numeric_limits<double>::infinity();  // tau_max [Pa]: of tractions alone, not of forces
 
-  double bound(double pressure) const { return coefficient * std::abs(pressure); }
+  double bound(double pressure) const { return std::min(coefficient * std::abs(pressure), largest); }
   /// Of the bound by the pressure, under pressure [1]; largest at p = 0, so that no shear passes slope(0) p.
-  double slope(double /*pressure*/) const { return coefficient; }
+  double slope(double pressure) const { return coefficient * std::abs(pressure) < largest ? coefficient : 0; }
   FrictionProjection project(double pressure, double q_x, double q_y = 0) const { return {bound(pressure), q_x, q_y}; }
 };
 
 /// The law of a scene, or of the model that is solved of it.
 template <class Model>
 FrictionLaw friction_law(const Model& model) {
-  return {model.friction_coefficient};
+  FrictionLaw law{model.friction_coefficient};
+  if (model.traction_limit) law.largest = *model.traction_limit;
+  return law;
 }
 
 /// Whether shear exceeds its bound by more than rounding does.

@@ -102,10 +102,11 @@ struct RollingScene : MaterialInputs {
   BondedLayers lower_layers;    // bonded under the first, from above; under the last a rigid base
   BondedLayers coating_layers;  // bonded on the body, from its surface inwards to a rigid core
   Inertia inertia = Inertia::automatic;
-  double speed = 0;                 // V [m/s]
-  std::optional<double> load;       // P [N], of a cylinder without a width [N/m]; this or
-  std::optional<double> approach;   // d [m]
-  double friction_coefficient = 0;  // mu [1]
+  double speed = 0;                      // V [m/s]
+  std::optional<double> load;            // P [N], of a cylinder without a width [N/m]; this or
+  std::optional<double> approach;        // d [m]
+  double friction_coefficient = 0;       // mu [1]
+  std::optional<double> traction_limit;  // tau_max: |tau| <= min(mu p, tau_max) [Pa]
   Drive drive = Drive::top_force;
   std::optional<double> driving_torque;  // T [N m], of a cylinder without a width [N], with drive "torque"
   std::optional<double> rotation_ratio;  // R Omega / V [1], with drive "rotation"
@@ -152,6 +153,9 @@ void visit_inputs(Scene& scene, Visitor&& visitor) {
           scene.approach);
   visitor(Q{"friction_coefficient", "μ", "1", "Coulomb friction; 0: frictionless", not_negative},
           scene.friction_coefficient);
+  visitor(
+      Q{"traction_limit", "τ_max", "Pa", "largest shear traction that friction bears, whatever the pressure", positive},
+      scene.traction_limit);
   visitor(Q{"drive", "", "", "what drives the body"}, scene.drive);
   visitor(Q{"driving_torque", "T", "N.m", "torque about the body's axis, clockwise, with drive \"torque\"", any_number,
             "N"},

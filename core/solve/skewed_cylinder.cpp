@@ -8,7 +8,6 @@
 #include "core/messages/message_text.hpp"
 #include "core/model/stated_error.hpp"
 #include "core/numerics/bracketed_root.hpp"
-#include "core/scene/friction_law.hpp"
 
 namespace rollres {
 
@@ -55,7 +54,7 @@ RollingSolution solve_at_own_skew(const ContactModel& model,
   const double wanted = *model.axial_force, side = wanted > 0 ? -1 : 1;
   if (wanted == 0) return solve(model);
   const ContactEstimate estimate = estimate_contact(model);
-  const double borne = friction_law(model).bound(model.load.value_or(estimate.load));
+  const double borne = model.friction_coefficient * model.load.value_or(estimate.load);
   const auto beyond = [&](double most) {
     return no_answer(Status::no_steady_state,
                      message_text("axial_force = ", model.told(wanted), ": friction bears ", model.told(most),

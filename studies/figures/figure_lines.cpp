@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/scene/friction_law.hpp"
 #include "studies/drawing/gnuplot.hpp"
 #include "studies/figures/figure_map.hpp"
 #include "studies/text/readable_number.hpp"
@@ -148,8 +149,10 @@ PictureText traction_lines(const Figure& figure, const FigureSource& source, con
     const std::string bound = "lw 1.5 dt (2,3) lc rgb '#444444'";
     plot.lines.push_back({"τ_xz", fields.shear_x, 1, "lw 2.5 lc rgb '#0072B2'"});
     if (!fields.shear_y.empty()) plot.lines.push_back({"τ_yz", fields.shear_y, 1, "lw 2.5 dt (5,4) lc rgb '#009E73'"});
-    plot.lines.push_back({"-μσ_z", fields.pressure, friction, bound});
-    plot.lines.push_back({"±μσ_z", fields.pressure, -friction, bound});
+    std::vector<double> borne = fields.pressure;
+    for (double& value : borne) value = friction_law(source.scene).bound(value);
+    plot.lines.push_back({"-μσ_z", borne, 1, bound});
+    plot.lines.push_back({source.scene.traction_limit ? "largest shear" : "±μσ_z", borne, -1, bound});
   }
   return line_figure(figure, source, files, plot);
 }

@@ -96,6 +96,14 @@ void draw_skew(Dice& dice, RollingScene& scene) {
   if (dice.choice(4) == 0) scene.skew_angle = rounded(dice.signed_log_uniform(1e-4, 0.3));
 }
 
+/// Bounds the shear of one in six scenes with friction, somewhere in the contact or nowhere.
+void draw_traction_limit(Dice& dice, RollingScene& scene) {
+  if (scene.friction_coefficient == 0 || scene.method == Method::active_set || dice.choice(6) != 0) return;
+  const ContactEstimate estimate = estimate_contact(scene);
+  const double a = estimate.half_width, area = dimension_of(scene.indenter) == 3 ? 3.14 * a * a : 2 * a;
+  scene.traction_limit = rounded(scene.friction_coefficient * estimate.load / area * dice.log_uniform(0.05, 2));
+}
+
 RollingScene scene_to_relate(Dice& dice, RollingScene scene) {
   if (dice.choice(3) == 0) leave_friction_out(scene);
   if (dice.choice(4) != 0) scene.inertia = Inertia::off;
@@ -110,6 +118,7 @@ RollingScene scene_to_relate(Dice& dice, RollingScene scene) {
   else
     draw_cylinder_method(dice, scene);
   draw_skew(dice, scene);
+  draw_traction_limit(dice, scene);
   return scene;
 }
 
