@@ -1,5 +1,6 @@
 #include "db/file/temporary_folder.hpp"
 
+#include <signal.h>
 #include <stdlib.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -46,12 +47,19 @@ TemporaryFolder::TemporaryFolder() {
   const char* const given = std::getenv("TMPDIR");
   const std::filesystem::path parent = given && *given ? given : "/tmp";
   std::string name = (parent / "rollres_XXXXXX").string();
-  if (!::mkdtemp(name.data())) {
-    const std::string why = std::generic_category().message(errno);
+  // A signal between the folder's making and its note would leave it behind.
+  sigset_t all, before;
+  ::sigfillset(&all);
+  ::pthread_sigmask(SIG_BLOCK, &all, &before);
+  const bool made = ::mkdtemp(name.data());
+  const int error = errno;
+  if (made) note(name);
+  ::pthread_sigmask(SIG_SETMASK, &before, nullptr);
+  if (!made) {
+    const std::string why = std::generic_category().message(error);
     throw std::runtime_error((given && *given ? "TMPDIR = " : "") + parent.string() +
                              ": no folder for temporary files can be made there: " + why);
   }
-  note(name);
   path_ = name;
 }
 
@@ -64,12 +72,17 @@ TemporaryFolder::~TemporaryFolder() {
 void remove_temporary_folders() noexcept {
   for (Noted& place : noted) {
     if (!place.whole) continue;
-    const pid_t child = ::_Fork();
-    if (child == 0) {
-      ::execl("/bin/rm", "rm", "-rf", "--", place.path.data(), static_cast<char*>(nullptr));
-      ::_exit(127);
+    // Other threads may still put files into it.
+    constexpr int most_attempts = 50;
+    int status = 1;
+    for (int attempt = 0; attempt < most_attempts && status != 0; ++attempt) {
+      const pid_t child = ::_Fork();
+      if (child == 0) {
+        ::execl("/bin/rm", "rm", "-rf", "--", place.path.data(), static_cast<char*>(nullptr));
+        ::_exit(127);
+      }
+      if (child < 0 || ::waitpid(child, &status, 0) < 0) break;
     }
-    if (child > 0) ::waitpid(child, nullptr, 0);
   }
 }
 

@@ -145,12 +145,12 @@ PictureText traction_lines(const Figure& figure, const FigureSource& source, con
                 .from = s.trailing_edge - room,
                 .to = s.leading_edge + room,
                 .zero_at_edges = true};
+  std::vector<double> borne = fields.pressure;
+  for (double& value : borne) value = friction_law(source.scene).bound(value);
   if (friction > 0) {
     const std::string bound = "lw 1.5 dt (2,3) lc rgb '#444444'";
     plot.lines.push_back({"τ_xz", fields.shear_x, 1, "lw 2.5 lc rgb '#0072B2'"});
     if (!fields.shear_y.empty()) plot.lines.push_back({"τ_yz", fields.shear_y, 1, "lw 2.5 dt (5,4) lc rgb '#009E73'"});
-    std::vector<double> borne = fields.pressure;
-    for (double& value : borne) value = friction_law(source.scene).bound(value);
     plot.lines.push_back({"-μσ_z", borne, 1, bound});
     plot.lines.push_back({source.scene.traction_limit ? "largest shear" : "±μσ_z", borne, -1, bound});
   }
