@@ -152,7 +152,7 @@ PictureText traction_lines(const Figure& figure, const FigureSource& source, con
     plot.lines.push_back({"τ_xz", fields.shear_x, 1, "lw 2.5 lc rgb '#0072B2'"});
     if (!fields.shear_y.empty()) plot.lines.push_back({"τ_yz", fields.shear_y, 1, "lw 2.5 dt (5,4) lc rgb '#009E73'"});
     plot.lines.push_back({"-μσ_z", borne, 1, bound});
-    plot.lines.push_back({source.scene.traction_limit ? "largest shear" : "±μσ_z", borne, -1, bound});
+    plot.lines.push_back({source.scene.traction_limit ? "±τ_max" : "±μσ_z", borne, -1, bound});
   }
   return line_figure(figure, source, files, plot);
 }
