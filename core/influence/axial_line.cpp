@@ -11,7 +11,6 @@
 #include "core/influence/passage_kernel.hpp"
 #include "core/material/lumped_spectrum.hpp"
 #include "core/model/contact_surface.hpp"
-#include "core/numerics/memory_functions.hpp"
 #include "core/surface/fourier_table.hpp"
 #include "core/surface/medium_expansion.hpp"
 
@@ -24,17 +23,15 @@ using complex = std::complex<double>;
 /// Creep of the half-space of the first layer.
 CreepSpectrum near_creep(const LayeredMedium& medium, double wave_speed) {
   MediumLayer top = medium.front();
-  CreepSpectrum creep;
-  const auto add = [&](double time, double compliance) {
-    if (time == 0)
-      creep.instantaneous += compliance;
-    else
-      creep.terms.push_back({compliance, time});
-  };
   if (wave_speed == 0) return top.material;
   top.thickness = INFINITY;
   const MediumExpansion expansion({top}, wave_speed);
-  for (const MediumTerm& term : expansion.terms()) add(term.time, term.deep.transverse);
+  CreepSpectrum creep;
+  for (const MediumTerm& term : expansion.terms())
+    if (term.time == 0)
+      creep.instantaneous += term.deep.transverse;
+    else
+      creep.terms.push_back({term.deep.transverse, term.time});
   return creep;
 }
 
@@ -76,15 +73,7 @@ void add_earlier_turns(InfluenceTable& table, const ContactModel& alone, double 
   const AddedAlongAxle added(alone, cell, told_apart);
   const CreepSpectrum creep = foundation_of(alone, told_apart).front().material;
   const double turn = 2 * M_PI * alone.radius;
-  const auto far = [&](double x) {
-    const double logarithm = std::log(std::abs(x));
-    double pole = creep.instantaneous * logarithm;
-    for (const CreepSpectrum::Term& term : creep.terms) {
-      const double length = term.time * alone.speed;
-      pole += term.compliance * (logarithm + length * remembered_pole(x, length));
-    }
-    return added(x) - pole / M_PI;
-  };
+  const auto far = [&](double x) { return added(x) - remembered_logarithm(creep, alone.speed, x) / M_PI; };
   InfluenceTable earlier(table.reach_x(), 0);
   for (int column = -table.reach_x(); column <= table.reach_x(); ++column) {
     double& sum = earlier.ww[static_cast<std::size_t>(table.index(column, 0))];

@@ -139,12 +139,14 @@ class EarlierTurns {
  public:
   /// @param alone the ring as a layer on a rigid base, without inertia   @param reach of the distances asked for [m]
   EarlierTurns(const ContactModel& alone, double cell, const MemoryRange& told_apart, double reach)
-      : added_(alone, cell, told_apart), turn_(2 * M_PI * alone.radius), reach_(reach), turns_(turns_felt(alone)) {
+      : added_(alone, cell, told_apart),
+        turn_(2 * M_PI * alone.radius),
+        reach_(reach),
+        speed_(alone.speed),
+        turns_(turns_felt(alone)) {
     const MediumLayer face = foundation_of(alone, told_apart).front();
     deep_ = half_space_symbols(face.poisson_ratio);
-    for (const CreepSpectrum::Term& term : face.material.terms)
-      terms_.push_back({term.compliance, term.time * alone.speed});
-    at_once_ = face.material.instantaneous;
+    creep_ = face.material;
     series_ = chebyshev_fit(nodes).series<LayerSlopes>([&](double t) { return sum_of_turns(reach_ * t); });
   }
 
@@ -161,12 +163,10 @@ class EarlierTurns {
   /// The whole displacement far from the force.
   LayerSlopes at(double x) const {
     LayerSlopes sum = added_(x);
-    const double logarithm = std::log(std::abs(x)), step = x > 0 ? 1 : -1;
-    double pole = at_once_ * logarithm, side = at_once_ * step;
-    for (const CreepSpectrum::Term& term : terms_) {  // its time is a length here
-      pole += term.compliance * (logarithm + term.time * remembered_pole(x, term.time));
-      side += term.compliance * (x > 0 ? 1 : 2 * std::exp(x / term.time) - 1);
-    }
+    const double pole = remembered_logarithm(creep_, speed_, x);
+    double side = creep_.instantaneous * (x > 0 ? 1 : -1);
+    for (const CreepSpectrum::Term& term : creep_.terms)
+      side += term.compliance * (x > 0 ? 1 : 2 * std::exp(x / (term.time * speed_)) - 1);
     sum(layer_slope::normal) -= deep_.normal * pole / M_PI;
     sum(layer_slope::tangential) -= deep_.longitudinal * pole / M_PI;
     sum(layer_slope::cross) -= 0.5 * deep_.cross * side;
@@ -174,10 +174,10 @@ class EarlierTurns {
   }
 
   AddedDisplacements added_;
-  double turn_, reach_, at_once_ = 0;
+  double turn_, reach_, speed_;
   int turns_;
   LayerSymbols deep_;
-  std::vector<CreepSpectrum::Term> terms_;
+  CreepSpectrum creep_;
   std::vector<LayerSlopes> series_;
 };
 
@@ -211,6 +211,16 @@ int turns_felt(const ContactModel& alone) {
   constexpr double most = 40;
   return static_cast<int>(
       std::clamp(std::ceil(30 * std::max(memory, 2 * thickness) / (2 * M_PI * alone.radius)), 1.0, most));
+}
+
+double remembered_logarithm(const CreepSpectrum& creep, double speed, double x) {
+  const double logarithm = std::log(std::abs(x));
+  double sum = creep.instantaneous * logarithm;
+  for (const CreepSpectrum::Term& term : creep.terms) {
+    const double length = term.time * speed;
+    sum += term.compliance * (logarithm + length * remembered_pole(x, length));
+  }
+  return sum;
 }
 
 double line_expansion_error(const ContactModel& model) {

@@ -19,6 +19,9 @@ InfluenceTable line_passage_table(const ContactModel& model, const SurfaceGrid& 
 /// contact. @param alone the ring as a layer on a rigid base
 int turns_felt(const ContactModel& alone);
 
+/// ln|x| over the modulus as a half-space that creeps remembers it of a line force that has passed at a speed [1/Pa].
+double remembered_logarithm(const CreepSpectrum& creep, double speed, double x);
+
 /// Largest relative error of the expansion that it contains: 0 without inertia.
 double line_expansion_error(const ContactModel& model);
 

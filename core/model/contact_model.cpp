@@ -68,8 +68,8 @@ ContactModel::ContactModel(const RollingScene& scene)
       radius(scene.radius),
       width(scene.width),
       kinematics(scene.kinematics),
-      speed(scene.speed * std::cos(scene.skew_angle.value_or(0))),
-      skew(std::tan(scene.skew_angle.value_or(0))),
+      speed(scene.speed),
+      skew(0),
       axial_force(per_metre(scene.axial_force, scene)),
       load(per_metre(scene.load, scene)),
       approach(scene.approach),
@@ -79,7 +79,7 @@ ContactModel::ContactModel(const RollingScene& scene)
       drive(scene.drive),
       driving_torque(per_metre(scene.driving_torque, scene)),
       rotation_ratio(scene.rotation_ratio),
-      flow(1),
+      flow(scene.drive == Drive::rotation ? scene.rotation_ratio.value_or(1) : 1),
       inertia(scene.inertia == Inertia::on),
       inertia_automatic(scene.inertia == Inertia::automatic),
       period(scene.period),
@@ -96,8 +96,7 @@ ContactModel::ContactModel(const RollingScene& scene)
   for (const BondedLayer& layer : scene.lower_layers) foundation.emplace_back(layer);
   for (const BondedLayer& layer : scene.coating_layers) coating.emplace_back(layer);
   half_space = std::isinf(foundation.back().layer_thickness);
-  if (rotation_ratio) *rotation_ratio *= std::hypot(1, skew);
-  if (drive == Drive::rotation) flow = rotation_ratio.value_or(1);
+  if (scene.skew_angle) turn_axle(std::tan(*scene.skew_angle));
   decide();
 }
 
@@ -139,13 +138,17 @@ std::vector<const ModelLayer*> ContactModel::layers() const {
 
 ContactModel ContactModel::with_skew(double tangent) const {
   ContactModel other = *this;
-  const double longer = std::hypot(1, tangent) / std::hypot(1, skew);
-  other.skew = tangent;
-  other.speed /= longer;
-  if (other.rotation_ratio) *other.rotation_ratio *= longer;
-  if (drive == Drive::rotation) other.flow = *other.rotation_ratio;
+  other.turn_axle(tangent);
   other.decide();
   return other;
+}
+
+void ContactModel::turn_axle(double tangent) {
+  const double longer = std::hypot(1, tangent) / std::hypot(1, skew);
+  skew = tangent;
+  speed /= longer;
+  if (rotation_ratio) *rotation_ratio *= longer;
+  if (drive == Drive::rotation) flow *= longer;
 }
 
 ContactModel ContactModel::with_flow(double ratio) const {

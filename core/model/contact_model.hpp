@@ -117,6 +117,8 @@ struct ContactModel {
   void bend_coating(double least);
 
  private:
+  /// Speeds in the frame of the axle turned to a skew; nothing is decided anew.
+  void turn_axle(double tangent);
   void decide();
 };
 

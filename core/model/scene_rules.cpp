@@ -58,14 +58,6 @@ std::string broken_for_finite_strain(const ContactModel& model) {
   return {};
 }
 
-/// The same for what asks for the inside of the layers (core/interior); `key` is what asks, with its value.
-std::string broken_for_interior(const RollingScene& scene, const std::string& key) {
-  if (scene.period) return key + ": not with a period";
-  if (is_skewed(scene)) return key + ": not of a skewed cylinder";
-  if (scene.method == Method::finite_strain) return key + ": not with method \"finite_strain\"";
-  return {};
-}
-
 /// The first input of a layer by which its moduli depend on the strain, with its value; empty if none.
 std::string softening_key(const std::string& owner, const MaterialInputs& layer) {
   if (layer.payne_drop > 0) return message_text(owner, "payne_drop = ", layer.payne_drop);
@@ -252,6 +244,8 @@ void check_yeoh(const RollingScene& scene, BrokenRules& broken) {
 }
 
 void check_interior(const RollingScene& scene, BrokenRules& broken) {
+  const std::string why = why_no_interior(scene);
+  if (why.empty()) return;
   std::vector<std::string> asking{softening_key("", scene)};
   if (scene.interior == Interior::on) asking.push_back("interior = on");
   const auto add_layers = [&](const char* list, const BondedLayers& layers) {
@@ -262,7 +256,7 @@ void check_interior(const RollingScene& scene, BrokenRules& broken) {
   add_layers("coating_layers", scene.coating_layers);
   for (const std::string& key : asking) {
     if (key.empty()) continue;
-    if (std::string rule = broken_for_interior(scene, key); !rule.empty()) broken.lines.push_back(std::move(rule));
+    broken.lines.push_back(key + ": " + why);
   }
 }
 
@@ -292,6 +286,13 @@ void check_model(const RollingScene& scene, bool in_range, BrokenRules& broken) 
 }
 
 }  // namespace
+
+std::string why_no_interior(const RollingScene& scene) {
+  if (scene.period) return "not with a period";
+  if (is_skewed(scene)) return "not of a skewed cylinder";
+  if (scene.method == Method::finite_strain) return "not with method \"finite_strain\"";
+  return {};
+}
 
 std::string spectral_refusal(const ContactModel& model) {
   if (model.dimension == 3) return "method = spectral: only for a cylinder";

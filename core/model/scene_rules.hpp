@@ -26,6 +26,9 @@ SolutionLimits limits_of(const RollingScene& scene);
 std::string why_absent(const RollingScene& scene, std::string_view output);
 std::string why_absent(const ContactModel& model, std::string_view output);
 
+/// Why the inside of the layers is not computed of a scene (core/interior): "not with a period"; empty if it is.
+std::string why_no_interior(const RollingScene& scene);
+
 /// Why method spectral cannot solve it, as the rule "key = value: rule" that it breaks; empty if it can.
 std::string spectral_refusal(const ContactModel& model);
 

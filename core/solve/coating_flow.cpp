@@ -8,6 +8,7 @@
 #include "core/messages/message_text.hpp"
 #include "core/model/contact_surface.hpp"
 #include "core/model/stated_error.hpp"
+#include "core/solve/doubts.hpp"
 #include "core/solve/resolve.hpp"
 
 namespace rollres {
@@ -39,13 +40,8 @@ bool share_counts(const ContactModel& model, const RollingSolution& found) {
          share_of_error * std::max(least_error, found.error_estimate) * std::abs(1 - found.rotation_ratio);
 }
 
-RollingSolution stopped(Method method) {
-  RollingSolution solution;
-  solution.method = method;
-  solution.reason =
-      "this drive stops the coated body or turns it backwards; give rotation_ratio, with drive \"rotation\"";
-  return solution;
-}
+constexpr const char* stopped =
+    "this drive stops the coated body or turns it backwards; give rotation_ratio, with drive \"rotation\"";
 
 }  // namespace
 
@@ -68,7 +64,7 @@ RollingSolution solve_at_own_flow(const ContactModel& full,
       break;
     }
     flow += step;
-    if (!(flow > 0)) return stopped(solution.method);
+    if (!(flow > 0)) return without_answer(solution.method, Status::not_converged, stopped);
     const RollingSolution before = std::move(solution);
     solution = solve_at(with_own_share(simplified(full.with_flow(flow)), before));
     response = std::clamp((solution.rotation_ratio - before.rotation_ratio) / step, -2.0, 0.8);

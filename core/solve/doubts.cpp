@@ -36,6 +36,14 @@ double length_of_nodes(const SurfaceFields& fields) {
 
 }  // namespace
 
+RollingSolution without_answer(Method method, Status status, std::string reason) {
+  RollingSolution solution;
+  solution.method = method;
+  solution.status = status;
+  solution.reason = std::move(reason);
+  return solution;
+}
+
 std::string doubt(const ContactModel& model, const RollingSolution& solution) {
   if (!(solution.law_violation <= trusted_violation))
     return message_text("a law of contact is violated by ", solution.law_violation, ", more than ", trusted_violation);

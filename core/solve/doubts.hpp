@@ -10,6 +10,9 @@
 
 namespace rollres {
 
+/// An answer that is none, for a reason.
+RollingSolution without_answer(Method method, Status status, std::string reason);
+
 /// Why an answer that its method calls converged is none; empty if it is one.
 std::string doubt(const ContactModel& model, const RollingSolution& solution);
 

@@ -97,21 +97,16 @@ void take_limits(const NestedOutcome& nested, RollingSolution& solution) {
                      turning = nested.limit(&GridNumbers::rotation_ratio),
                      axial = nested.limit(&GridNumbers::axial_force);
   if (resistance.share == 0 && turning.share == 0 && axial.share == 0) return;
-  solution.rolling_resistance += resistance.to_come;
-  solution.rolling_resistance_coefficient = solution.rolling_resistance / solution.load;
+  const double tends_to = solution.rolling_resistance + resistance.to_come;
   solution.rotation_ratio += turning.to_come;
   solution.rotation_speed = solution.rotation_ratio * model.speed / model.radius;
-  double driven = solution.rolling_resistance;  // Q + omega T/R
+  solution.rolling_resistance =
+      solution.driving_force + solution.driving_torque * solution.rotation_ratio / model.radius;
   if (model.skewed()) {
     solution.axial_force += axial.to_come;
-    driven += model.skew * solution.axial_force;
+    solution.rolling_resistance -= model.skew * solution.axial_force;
   }
-  if (model.drive == Drive::top_force) {
-    solution.driving_force = driven / (1 + solution.rotation_ratio);
-    solution.driving_torque = solution.driving_force * model.radius;
-  } else {
-    solution.driving_force = driven - solution.driving_torque * solution.rotation_ratio / model.radius;
-  }
+  add_resistance(model, tends_to - solution.rolling_resistance, solution);
   if (resistance.share > 0.01)
     solution.model += message_text("; rolling resistance that the grids tend to, share ", resistance.share);
 }

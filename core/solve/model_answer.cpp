@@ -25,15 +25,6 @@ namespace rollres {
 
 namespace {
 
-/// An answer that is none, for a reason.
-RollingSolution without_answer(Method method, Status status, std::string reason) {
-  RollingSolution solution;
-  solution.method = method;
-  solution.status = status;
-  solution.reason = std::move(reason);
-  return solution;
-}
-
 /// A grid in place of continuous edges where no tolerance is given: nearer to what those would give than the usual
 /// grid, as long as it is quick.
 RollingSolution solve_in_place_of_edges(ContactModel model) {
@@ -164,10 +155,6 @@ void describe(const ContactModel& model, RollingSolution& solution) {
   // A half-space taken as rigid is the model's own choice of the depth that an approach is counted from.
   if (!why_absent(model, "approach").empty()) solution.approach = RollingSolution::absent;
 }
-
-}  // namespace
-
-namespace {
 
 RollingSolution solve_at_skew(const ContactModel& full) {
   std::optional<FoundZones> zones;

@@ -8,6 +8,7 @@
 #include "core/messages/message_text.hpp"
 #include "core/model/stated_error.hpp"
 #include "core/numerics/bracketed_root.hpp"
+#include "core/solve/doubts.hpp"
 
 namespace rollres {
 
@@ -17,14 +18,6 @@ namespace {
 /// the axle, where the surface yields twice as much as to pressure (nu = 1/2).
 double skew_of_carter(const ContactModel& model, double half_width, double part) {
   return 2 * model.friction_coefficient * half_width / model.radius * (1 - std::sqrt(1 - part));
-}
-
-RollingSolution no_answer(Status status, std::string reason) {
-  RollingSolution solution;
-  solution.method = Method::newton;
-  solution.status = status;
-  solution.reason = std::move(reason);
-  return solution;
 }
 
 /// Adds what the resistance is open by where the force at a skew is known as well as the resistance is, from the answer
@@ -56,9 +49,9 @@ RollingSolution solve_at_own_skew(const ContactModel& model,
   const ContactEstimate estimate = estimate_contact(model);
   const double borne = model.friction_coefficient * model.load.value_or(estimate.load);
   const auto beyond = [&](double most) {
-    return no_answer(Status::no_steady_state,
-                     message_text("axial_force = ", model.told(wanted), ": friction bears ", model.told(most),
-                                  model.told_per_metre() ? " N/m" : " N", " along the axle at most"));
+    return without_answer(Method::newton, Status::no_steady_state,
+                          message_text("axial_force = ", model.told(wanted), ": friction bears ", model.told(most),
+                                       model.told_per_metre() ? " N/m" : " N", " along the axle at most"));
   };
   if (model.load && !(std::abs(wanted) < borne)) return beyond(borne);
   constexpr double steepest = 5, growth = 2, tolerance = 1e-11;  // 79 degrees; of the skew, relative
@@ -79,15 +72,14 @@ RollingSolution solve_at_own_skew(const ContactModel& model,
       high = std::min(steepest, growth * high);
     }
     const double skew = bracketed_root(missing, low, high, tolerance), beside = 1.01 * skew;
+    RollingSolution answer = std::move(*last);  // at one of the bracket's ends, as good as its root
     missing(beside);
-    const RollingSolution answer_beside = std::move(*last);
-    missing(skew);
-    take_open_skew(skew, answer_beside, beside, *last);
+    take_open_skew(skew, *last, beside, answer);
+    answer.axial_force = wanted;
+    return answer;
   } catch (Failed& failed) {
     return std::move(failed.solution);
   }
-  last->axial_force = wanted;
-  return std::move(*last);
 }
 
 void turn_to_travel(const ContactModel& model, RollingSolution& solution) {

@@ -5,6 +5,7 @@
 #include <stdexcept>
 
 #include "core/interior/interior_summary.hpp"
+#include "core/model/scene_rules.hpp"
 #include "studies/figures/figure_map.hpp"
 #include "studies/text/words.hpp"
 
@@ -54,11 +55,7 @@ std::string hindrance(const Figure& figure, const RollingScene& scene) {
     return "a figure of a " + std::string(name_of(*figure.indenter)) +
            ", and indenter = " + std::string(name_of(scene.indenter));
   if (figure.of_friction && scene.friction_coefficient == 0) return "friction_coefficient = 0 leaves it empty";
-  if (figure.number > last_of_paper && scene.period) return "not with a period";
-  if (figure.number > last_of_paper && is_skewed(scene)) return "not of a skewed cylinder";
-  if (figure.number > last_of_paper && scene.method == Method::finite_strain)
-    return "not with method \"finite_strain\"";
-  return {};
+  return figure.number > last_of_paper ? why_no_interior(scene) : "";
 }
 
 }  // namespace

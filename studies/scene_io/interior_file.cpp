@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "core/derivatives/objective.hpp"
+#include "core/model/scene_rules.hpp"
 #include "core/scene/layer_name.hpp"
 #include "studies/text/files.hpp"
 #include "studies/text/readable_number.hpp"
@@ -159,8 +160,7 @@ std::string interior_text(const InteriorSummary& summary, const RollingScene& sc
 }
 
 bool has_interior(const RollingScene& scene, const RollingSolution& solution) {
-  return !scene.period && !is_skewed(scene) && solution.method != Method::finite_strain &&
-         solution.fields.grid.size() > 0;
+  return why_no_interior(scene).empty() && solution.fields.grid.size() > 0;
 }
 
 void write_interior(const std::filesystem::path& directory, const RollingScene& scene,

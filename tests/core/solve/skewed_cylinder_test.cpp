@@ -5,6 +5,7 @@
 #include "core/model/scene_rules.hpp"
 #include "core/solve/rolling_contact.hpp"
 #include "tests/catch.hpp"
+#include "tests/core/elastic_half_space.hpp"
 #include "tests/core/paper_scenes.hpp"
 
 using namespace rollres;
@@ -46,18 +47,9 @@ RollingScene covered_roller(double angle) {
 }  // namespace
 
 TEST_CASE("a cylinder dragged along its axle on an elastic half-space slips as Carter's", "[core][skew]") {
-  RollingScene scene;
-  scene.radius = 1;
-  scene.layer_thickness = INFINITY;
-  scene.material = MaterialModel::elastic;
-  scene.static_shear_modulus = 1e6;
-  scene.inertia = Inertia::off;
-  scene.speed = 0.1;
-  scene.friction_coefficient = 0.3;
-  scene.drive = Drive::free;
+  constexpr double half_width = 1e-3;  // over R: of second order in it are the terms that Carter leaves out
+  RollingScene scene = cylinder_on_half_space(half_width, 0.3, Drive::free);
   scene.tolerance = 1e-3;
-  const double half_width = 1e-3;  // over R: of second order in it are the terms that Carter leaves out
-  scene.load = M_PI * *scene.static_shear_modulus * half_width * half_width;
   for (const double stick : {0.3, 0.6}) {
     scene.skew_angle = std::atan(2 * scene.friction_coefficient * (1 - stick) * half_width);
     const RollingSolution found = solve(scene);

@@ -3,6 +3,7 @@
 #include "core/model/scene_rules.hpp"
 #include "core/solve/rolling_contact.hpp"
 #include "tests/catch.hpp"
+#include "tests/core/elastic_half_space.hpp"
 #include "tests/core/paper_scenes.hpp"
 
 using namespace rollres;
@@ -22,17 +23,8 @@ RollingScene consistent(RollingScene scene, std::optional<double> limit) {
 
 TEST_CASE("a locked cylinder is dragged by the smaller of Coulomb's shear and the largest", "[core][traction_limit]") {
   // On an incompressible half-space shear leaves Hertz's pressure as it is.
-  constexpr double half_width = 1e-3, friction = 0.3, modulus = 1e6;  // a/R: terms of its square are left out
-  RollingScene scene;
-  scene.radius = 1;
-  scene.layer_thickness = INFINITY;
-  scene.material = MaterialModel::elastic;
-  scene.static_shear_modulus = modulus;
-  scene.inertia = Inertia::off;
-  scene.speed = 0.1;
-  scene.load = M_PI * modulus * half_width * half_width;
-  scene.friction_coefficient = friction;
-  scene.drive = Drive::rotation;
+  constexpr double half_width = 1e-3, friction = 0.3;  // a/R: terms of its square are left out
+  RollingScene scene = cylinder_on_half_space(half_width, friction, Drive::rotation);
   scene.rotation_ratio = 0;
   scene.tolerance = 1e-4;
   const double peak = 2 * *scene.load / (M_PI * half_width);
