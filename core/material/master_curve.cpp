@@ -9,6 +9,7 @@
 #include "core/material/material_scale.hpp"
 #include "core/material/passivity.hpp"
 #include "core/material/relative_rows.hpp"
+#include "core/material/row_noise.hpp"
 #include "core/material/smooth_spectrum.hpp"
 #include "core/messages/message_text.hpp"
 #include "core/numerics/recently_made.hpp"
@@ -88,6 +89,18 @@ SpectrumFit likelier_spectrum(const RelativeRows& rows) {
   return best;
 }
 
+/// The likelier spectrum on rows as certain as they show themselves to be.
+SpectrumFit spectrum_of(const RelativeRows& rows) {
+  SpectrumFit found = likelier_spectrum(rows);
+  constexpr int rounds = 2;
+  for (int round = 0; round < rounds; ++round) {
+    const Eigen::VectorXd noise = noise_by_frequency(rows, found.series);
+    if ((noise.array() == 1).all()) break;
+    found = likelier_spectrum(rows.with_noise(noise));
+  }
+  return found;
+}
+
 }  // namespace
 
 std::vector<std::size_t> rows_in_order(const MasterCurve& curve) {
@@ -115,7 +128,7 @@ std::string MasterCurveFit::in_words() const {
 
 MasterCurveFit fit_master_curve(const MasterCurve& curve) {
   const RelativeRows rows(curve);
-  SpectrumFit found = likelier_spectrum(rows);
+  SpectrumFit found = spectrum_of(rows);
   MasterCurveFit fit{.series = std::move(found.series), .open = std::move(found.open), .remarks = {}};
   const std::vector<double> misfit = relative_misfits(curve, fit.series);
   const std::size_t worst = static_cast<std::size_t>(std::max_element(misfit.begin(), misfit.end()) - misfit.begin());

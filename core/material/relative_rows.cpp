@@ -29,10 +29,17 @@ RelativeRows::RelativeRows(const MasterCurve& curve) : free_rest_(curve.static_m
       Eigen::Map<const Eigen::VectorXd>(curve.loss.data(), rows);
   size_ = wanted_;
   size_.tail(rows) = wanted_.tail(rows).cwiseMax(noticeable_tangent * wanted_.head(rows));
+  noise_ = Eigen::VectorXd::Ones(2 * rows);
   rest_ = free_rest_ ? share_at_rest * wanted_.head(rows).minCoeff() : curve.static_modulus;
   order_.resize(curve.frequencies.size());
   std::iota(order_.begin(), order_.end(), Eigen::Index{0});
   std::stable_sort(order_.begin(), order_.end(), [&](Eigen::Index a, Eigen::Index b) { return omega_(a) < omega_(b); });
+}
+
+RelativeRows RelativeRows::with_noise(const Eigen::VectorXd& noise) const {
+  RelativeRows rows = *this;
+  rows.noise_ = noise;
+  return rows;
 }
 
 double RelativeRows::decades() const { return std::log10(highest() / lowest()); }
@@ -44,7 +51,7 @@ Eigen::MatrixXd RelativeRows::responses(const std::vector<double>& times) const 
     a.col(j) << (1 - 1 / (1 + turn.square())), turn / (1 + turn.square());
   }
   if (free_rest_) a.col(a.cols() - 1) << Eigen::VectorXd::Ones(rows()), Eigen::VectorXd::Zero(rows());
-  return a.array().colwise() / size_.array();
+  return a.array().colwise() / (size_.array() * noise_.array());
 }
 
 Eigen::MatrixXd RelativeRows::slopes(const std::vector<double>& times) const {
@@ -54,13 +61,13 @@ Eigen::MatrixXd RelativeRows::slopes(const std::vector<double>& times) const {
     const Eigen::ArrayXd square = turn.square(), whole = (1 + square).square();
     a.col(j) << 2 * square / whole, turn * (1 - square) / whole;
   }
-  return a.array().colwise() / size_.array();
+  return a.array().colwise() / (size_.array() * noise_.array());
 }
 
 Eigen::VectorXd RelativeRows::wanted() const {
   Eigen::VectorXd wanted = wanted_;
   wanted.head(rows()).array() -= rest_;
-  return wanted.cwiseQuotient(size_);
+  return wanted.cwiseQuotient(size_.cwiseProduct(noise_));
 }
 
 Eigen::VectorXd RelativeRows::residuals(const PronySeries& series) const {

@@ -15,13 +15,18 @@ namespace rollres {
 
 class RelativeRows {
  public:
+  /// All rows equally certain.
   /// @param curve with at least two different frequencies
   explicit RelativeRows(const MasterCurve& curve);
 
+  /// The same rows with deviations of their errors over the usual one, one for each equation.
+  RelativeRows with_noise(const Eigen::VectorXd& noise) const;
+
   Eigen::Index rows() const { return omega_.size(); }
-  double lowest() const { return omega_.minCoeff(); }   ///< [rad/s]
-  double highest() const { return omega_.maxCoeff(); }  ///< [rad/s]
-  double decades() const;                               ///< of the table
+  const Eigen::VectorXd& frequencies() const { return omega_; }  ///< of the rows as they came [rad/s]
+  double lowest() const { return omega_.minCoeff(); }            ///< [rad/s]
+  double highest() const { return omega_.maxCoeff(); }           ///< [rad/s]
+  double decades() const;                                        ///< of the table
 
   /// Whether the modulus at rest is not given; it is then least_rest() and more.
   bool free_rest() const { return free_rest_; }
@@ -40,7 +45,8 @@ class RelativeRows {
   double loss_at(double omega) const;
 
  private:
-  Eigen::VectorXd omega_, wanted_, size_;
+  Eigen::VectorXd omega_, wanted_, noise_;
+  Eigen::VectorXd size_;             // what a residual of 1 is, for usual noise
   std::vector<Eigen::Index> order_;  // of ascending frequencies
   double rest_;
   bool free_rest_;

@@ -200,7 +200,7 @@ void add_chart(Command& program, Session& session) {
   StudyChartOptions& options = arguments.options;
   command->add_option("--db FILE", arguments.databases, "database; may be repeated: several are read as one")
       ->one_value_each()
-      ->required();
+      ->or_usual_database();
   command
       ->add_option(
           "--study NAME", arguments.studies,

@@ -189,7 +189,7 @@ void add_compare(Command& program, Session& session) {
           "compared with each of the others")
       ->required()
       ->expected(1, most_studies);
-  command->add_option("--db FILE", arguments.database, "database")->required();
+  command->add_option("--db FILE", arguments.database, "database")->or_usual_database();
   command->add_option("--with FILE", arguments.other_database, "database of the second study; left out: the same");
   command->add_option("--outputs KEY,...", arguments.outputs,
                       "numbers to compare, separated by commas; left out: rolling_resistance");

@@ -113,7 +113,7 @@ void film(const FilmArguments& arguments, Session& session) {
 void add_film(Command& program, Session& session) {
   const auto [command, arguments] = program.add<FilmArguments>(
       "film", "Draw a stored study as a film: stick, slip and tractions along an axis, in one GIF", session, film);
-  command->add_option("--db FILE", arguments.database, "database")->required();
+  command->add_option("--db FILE", arguments.database, "database")->or_usual_database();
   command->add_option("--study NAME", arguments.study, "study; may be left out if the database holds one");
   command->add_option("--axis KEY", arguments.axis, "axis along which the film goes; left out: the longest");
   command->add_option("--y KEY", arguments.y, "output of the chart below the pictures; default: rolling_resistance");

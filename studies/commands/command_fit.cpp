@@ -303,7 +303,7 @@ void add_fit(Command& program, Session& session) {
                    "also the name of a stored fit")
       ->required();
   command->add_option("--db FILE", arguments.database, "database: every evaluation and the fit are stored here")
-      ->required();
+      ->or_usual_database();
   command->add_option("--out DIR", arguments.out,
                       "draw data, residuals, profiles and the worst pair's ellipse into DIR");
   command->add_option("--scene FILE", arguments.scene, "write what was fitted as a scene file, with all digits");

@@ -151,7 +151,7 @@ void add_merge(Command& program, Session& session) {
       "merge", "Bring the results of several databases together in one", session, merge_all);
   command->add_option("sources FILE", arguments.sources, "databases; they are only read")->required();
   command->add_option("--db FILE", arguments.database, "database that takes them; created if it is missing")
-      ->required();
+      ->or_usual_database();
   command->add_flag("--json", arguments.json, "print one JSON object");
   command->footer(
       "Merging again changes nothing. A result that is there stays, unless it had not converged and the new one has.\n"
@@ -165,7 +165,7 @@ void add_export(Command& program, Session& session) {
       "export", "Write a study with its results and provenance, or a fit, into a folder", session, export_one);
   command->add_option("--study NAME", arguments.study,
                       "name of the study, or fit; may be left out if the database holds one");
-  command->add_option("--db FILE", arguments.database, "database")->required();
+  command->add_option("--db FILE", arguments.database, "database")->or_usual_database();
   command->add_option("--out DIR", arguments.folder, "folder; made if it is missing")->required();
   command->footer(
       "README.txt in the folder tells what is what.\n"
@@ -176,7 +176,7 @@ void add_import(Command& program, Session& session) {
   const auto [command, arguments] =
       program.add<ExportArguments>("import", "Bring an exported study into a database", session, import_one);
   command->add_option("folder DIR", arguments.folder, "folder that rollres export wrote")->required();
-  command->add_option("--db FILE", arguments.database, "database; created if it is missing")->required();
+  command->add_option("--db FILE", arguments.database, "database; created if it is missing")->or_usual_database();
   command->add_flag("--json", arguments.json, "print one JSON object");
   command->footer(
       "As rollres merge: importing again changes nothing.\n"

@@ -133,7 +133,7 @@ void add_optimise(Command& program, Session& session) {
   const auto [command, arguments] = program.add<OptimiseArguments>(
       "optimise", "Find the best values of some inputs, under constraints, or a Pareto front", session, run_optimise);
   command->add_option("study STUDY", arguments.study, "study file with variables and minimise or maximise")->required();
-  command->add_option("--db FILE", arguments.database, "database; created if it is missing")->required();
+  command->add_option("--db FILE", arguments.database, "database; created if it is missing")->or_usual_database();
   command
       ->add_option("--algorithm ALGORITHM", arguments.algorithm,
                    "bobyqa, cobyla, nelder_mead, subplex, direct_l, crs2, slsqp, mma, ccsaq or lbfgs")

@@ -193,7 +193,7 @@ void add_query(Command& program, Session& session) {
       "absent");
   command->add_option("--db FILE", arguments.databases, "database; may be repeated: several are read as one")
       ->one_value_each()
-      ->required();
+      ->or_usual_database();
   command->add_flag("--fits", arguments.fits,
                     "fits in place of evaluations: KEY is name, kind, status, reduced_chi_squared and so on, a fitted "
                     "parameter, or this with _error, _lowest or _highest (its 95 % interval)");

@@ -39,7 +39,7 @@ void report(const ReportArguments& arguments, Session& session) {
 void add_report(Command& program, Session& session) {
   const auto [command, arguments] = program.add<ReportArguments>(
       "report", "Write a stored study as one HTML file with its charts, to read, send or print", session, report);
-  command->add_option("--db FILE", arguments.database, "database")->required();
+  command->add_option("--db FILE", arguments.database, "database")->or_usual_database();
   command
       ->add_option("--study NAME", arguments.studies,
                    "study, or fit; may be left out if the database holds one study; may be repeated: a chart of all, "

@@ -151,7 +151,7 @@ void add_scatter(Command& program, Session& session) {
   const auto [command, arguments] = program.add<ScatterArguments>(
       "scatter", "Solve a study whose inputs scatter, and say how its outputs do", session, scatter);
   command->add_option("study STUDY", arguments.study, "study file with uncertain inputs")->required();
-  command->add_option("--db FILE", arguments.database, "database; created if it is missing")->required();
+  command->add_option("--db FILE", arguments.database, "database; created if it is missing")->or_usual_database();
   command
       ->add_option("--output FORMULA", arguments.outputs,
                    "output, or a formula; may be repeated; left out: those that the study computes or draws")

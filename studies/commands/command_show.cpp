@@ -244,7 +244,7 @@ void add_show(Command& program, Session& session) {
       ->add_option("what NAME|ID", arguments.what,
                    "name of a study or of a fit, or number (id) or name of an evaluation")
       ->required();
-  command->add_option("--db FILE", arguments.database, "database")->required();
+  command->add_option("--db FILE", arguments.database, "database")->or_usual_database();
   command->add_flag("--json", arguments.json, "print one JSON object");
   command->add_flag("--si", arguments.si, "SI numbers in the table of a study");
   command->add_option("--fields DIR", arguments.fields,
@@ -255,7 +255,7 @@ void add_show(Command& program, Session& session) {
 void add_list(Command& program, Session& session) {
   const auto [command, arguments] = program.add<ListArguments>(
       "list", "List the studies of a database and how far they are, and its fits", session, list);
-  command->add_option("--db FILE", arguments.database, "database")->required();
+  command->add_option("--db FILE", arguments.database, "database")->or_usual_database();
   command->add_flag("--json", arguments.json, "print one JSON object");
   command->footer("Example: rollres list --db results.db");
 }

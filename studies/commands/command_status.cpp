@@ -111,10 +111,10 @@ void follow(const StatusArguments& arguments, Session& session) {
 void status(const StatusArguments& arguments, Session& session) {
   if (arguments.follow) return follow(arguments, session);
   if (arguments.study.empty()) {
-    if (arguments.databases.empty()) throw std::invalid_argument("status: needs a study file, or --db, or both");
     if (arguments.shards > 0) throw std::invalid_argument("--shards: needs the study file");
     if (arguments.json && arguments.databases.size() > 1)
       throw std::invalid_argument("--db: only one with --json, without a study file");
+    if (arguments.databases.empty()) status_of_stored(usual_database(), arguments, session);
     for (const std::string& file : arguments.databases) status_of_stored(file, arguments, session);
     return;
   }

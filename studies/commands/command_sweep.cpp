@@ -105,7 +105,7 @@ void add_sweep(Command& program, Session& session) {
   const auto [command, arguments] =
       program.add<SweepArguments>("sweep", "Solve all points of a study and store each as it comes", session, sweep);
   command->add_option("study STUDY", arguments.study, "study file")->required();
-  command->add_option("--db FILE", arguments.database, "database; created if it is missing")->required();
+  command->add_option("--db FILE", arguments.database, "database; created if it is missing")->or_usual_database();
   command->add_option("--jobs N", arguments.jobs, "threads; default: one for each core")->between(1, 1024);
   command->add_option("--shard I/N", arguments.shard,
                       "I/N: solve only the I-th of N parts of about the same cost; rollres merge brings them together");

@@ -65,14 +65,14 @@ void add_upkeep(Command& program, Session& session) {
         program.add<UpkeepArguments>("rename", "Give a stored study another name", session, rename);
     command->add_option("study NAME", arguments.study, "study")->required();
     command->add_option("new NEW", arguments.text, "its new name")->required();
-    command->add_option("--db FILE", arguments.database, "database")->required();
+    command->add_option("--db FILE", arguments.database, "database")->or_usual_database();
     command->footer("Example: rollres rename belt 'belt, first compound' --db results.db");
   }
   {
     const auto [command, arguments] =
         program.add<UpkeepArguments>("delete", "Forget a stored study; its rows stay until prune", session, remove);
     command->add_option("study NAME", arguments.study, "study")->required();
-    command->add_option("--db FILE", arguments.database, "database")->required();
+    command->add_option("--db FILE", arguments.database, "database")->or_usual_database();
     command->footer("Example: rollres delete belt --db results.db");
   }
   {
@@ -80,12 +80,12 @@ void add_upkeep(Command& program, Session& session) {
         program.add<UpkeepArguments>("note", "Write a note on a stored study; list and show print it", session, note);
     command->add_option("study NAME", arguments.study, "study")->required();
     command->add_option("text TEXT", arguments.text, "the note, in place of the one before; '' for none")->required();
-    command->add_option("--db FILE", arguments.database, "database")->required();
+    command->add_option("--db FILE", arguments.database, "database")->or_usual_database();
     command->footer("Example: rollres note belt 'cover of the second supplier' --db results.db");
   }
   const auto [command, arguments] =
       program.add<UpkeepArguments>("prune", "Delete the rows that belong to no study", session, prune);
-  command->add_option("--db FILE", arguments.database, "database")->required();
+  command->add_option("--db FILE", arguments.database, "database")->or_usual_database();
   command->add_flag("--yes", arguments.yes, "delete them; without it they are counted");
   command->footer(
       "These are rows of deleted studies, of studies that were replaced, and those that fits solved and would solve "

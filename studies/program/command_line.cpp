@@ -3,6 +3,7 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cstdint>
+#include <cstdlib>
 #include <filesystem>
 #include <optional>
 #include <ostream>
@@ -28,12 +29,16 @@ OptionWords words_of(const CLI::Option& option) {
 
 }  // namespace
 
+std::string usual_database() {
+  const char* const named = std::getenv(database_variable);
+  return named != nullptr && *named != '\0' ? named : usual_database_file;
+}
+
 CommandOption::CommandOption(CLI::Option& option, std::string value) : option_(&option), value_(std::move(value)) {}
 
-CommandOption* CommandOption::required() {
-  // Only where a database is needed: elsewhere, to give none means that nothing is stored.
-  if (option_->check_lname("db")) option_->envname(database_variable);
-  return option_->required(), this;
+CommandOption* CommandOption::required() { return option_->required(), this; }
+CommandOption* CommandOption::or_usual_database() {
+  return option_->envname(database_variable)->default_val(usual_database_file), this;
 }
 CommandOption* CommandOption::between(int lowest, int highest) {
   const std::string ends = std::to_string(lowest) + ".." + std::to_string(highest);
@@ -144,8 +149,6 @@ void Command::parse(std::vector<std::string> words, std::ostream& out, std::ostr
     app_->parse(words);
   } catch (const CLI::ParseError& error) {
     const std::string message = error.what();
-    if (message == "--db is required")
-      throw std::invalid_argument(message + ", or " + database_variable + "=FILE in the environment");
     if (error.get_exit_code() != 0) throw std::invalid_argument(message);
     app_->exit(error, out, err);  // help or version
   }

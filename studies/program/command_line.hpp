@@ -22,8 +22,10 @@ namespace rollres {
 
 struct Session;
 
-/// The environment variable with the database of a command that needs one and is given none.
-constexpr const char* database_variable = "ROLLRES_DB";
+/// The database of a command that needs one and is given none: of this environment variable, or else this file of the
+/// current folder.
+constexpr const char *database_variable = "ROLLRES_DB", *usual_database_file = "rollres.db";
+std::string usual_database();
 
 /// An option or a positional word, as a manual page or a shell's completion tells it.
 struct OptionWords {
@@ -51,6 +53,8 @@ class CommandOption {
 
   /// It must be given; a database may be by the environment, too.
   CommandOption* required();
+  /// A database that is needed: ROLLRES_DB, or else rollres.db, where none is given.
+  CommandOption* or_usual_database();
   /// What the value must be; the help text and the refusal name it. Both ends of `between` are included.
   CommandOption* between(int lowest, int highest);
   CommandOption* positive();

@@ -102,7 +102,10 @@ int run_program(std::vector<std::string> words, Session session) {
   } catch (const std::bad_alloc&) {
     return complain(session, "out of memory", ExitStatus::failure);
   } catch (const std::exception& error) {
-    return complain(session, error.what(), ExitStatus::failure);
+    std::string message = error.what();
+    if (message == std::string(usual_database_file) + ": no such file")
+      message += std::string("; --db FILE, or ") + database_variable + "=FILE in the environment, names the database";
+    return complain(session, message, ExitStatus::failure);
   } catch (...) {
     return complain(session, "an unknown error", ExitStatus::failure);
   }

@@ -115,9 +115,8 @@ Completion stored_names(std::span<const std::string> words, bool with_fits) {
       file = words[i].substr(5);
     else if (words[i] == "--db" && i + 1 < words.size())
       file = words[i + 1];
-  const char* const usual = std::getenv(database_variable);
-  if (file.empty() && usual != nullptr) file = usual;
-  if (file.empty()) return completion;
+  if (file.empty()) file = usual_database();
+  if (!std::filesystem::exists(in_home(file))) return completion;
   ResultStore store(in_home(file), Access::read);
   for (const std::string& study : store.study_names()) completion.add(study);
   if (with_fits)

@@ -122,7 +122,8 @@ std::string manual_page(const CommandWords& program, const std::string& version,
     for (const ManualEntry& one : file.entries) text += entry(bold(one.head), plain(one.text));
   }
   text += section("ENVIRONMENT") +
-          entry(bold(database_variable), "the database of a command that needs " + bold("--db") + " and is given none");
+          entry(bold(database_variable), "the database of a command that needs " + bold("--db") +
+                                             " and is given none; left out: " + usual_database_file);
   text += section("EXIT STATUS");
   for (const auto& [status, meaning] :
        {std::pair("0", "answered"), std::pair("1", "a scene has no answer or did not converge; the output says why"),

@@ -93,11 +93,26 @@ TEST_CASE("ROLLRES_DB stands in for the database that a command needs and is not
   CHECK(by_variable.out == run_rollres(query, fails_when_fast).out);
   CHECK_THAT(run_rollres({"complete", "chart", "--study", "sp"}, fails_when_fast).out,
              Catch::Contains("speed and load"));
+}
 
+TEST_CASE("a command that is told no database takes rollres.db of its folder, and says so where there is none",
+          "[studies][commands]") {
+  const Studied files;
   const WithVariable none("ROLLRES_DB", "");
-  const ProgramRun refused = run_rollres({"list"}, fails_when_fast);
-  CHECK(refused.status == 2);
-  CHECK_THAT(refused.err, Catch::Contains("--db is required, or ROLLRES_DB=FILE in the environment"));
+  const std::filesystem::path before = std::filesystem::current_path();
+  std::filesystem::current_path(files.folder().path);
+  const ProgramRun missing = run_rollres({"list"}, fails_when_fast);
+  const ProgramRun swept = run_rollres({"sweep", files.study()}, fails_when_fast);
+  const ProgramRun listed = run_rollres({"list"}, fails_when_fast), status = run_rollres({"status"}, fails_when_fast);
+  std::filesystem::current_path(before);
+  CHECK(missing.status == ExitStatus::failure);
+  CHECK_THAT(missing.err,
+             Catch::Contains("rollres.db: no such file; --db FILE, or ROLLRES_DB=FILE in the environment"));
+  CHECK_THAT(swept.out + swept.err, Catch::Contains(" in rollres.db"));
+  CHECK(ResultStore(files.folder().path / "rollres.db", Access::read).study_names() ==
+        std::vector<std::string>{"speed and load"});
+  CHECK_THAT(listed.out, Catch::Contains("speed and load"));
+  CHECK_THAT(status.out, Catch::Contains("speed and load"));
 }
 
 TEST_CASE("list tells the studies of a database and how far they are", "[studies][commands]") {
@@ -262,7 +277,7 @@ TEST_CASE("the commands of the store refuse in one line what they cannot do", "[
       {{"query", "--db", studied.database(), "--format", "xml"}, 2, ""},
       {{"sweep", studied.study(), "--db", studied.database(), "--jobs", "0"}, 2, ""},
       {{"sweep", studied.study(), "--db", studied.database(), "--jobs", "two"}, 2, ""},
-      {{"sweep", studied.study()}, 2, ""},
+      {{"slurm", studied.study(), "--tasks", "2", "--out", "shards"}, 2, "--db is required"},
       {{"sweep", missing, "--db", studied.database()}, 3, missing},
   };
   for (const Refusal& refusal : refusals) {
