@@ -54,7 +54,7 @@ class NewtonIteration {
         maps_(natural_maps(problem, influence, start, contact_)) {}
 
   NewtonOutcome run() {
-    while (outcome_.iterations < options_.most_iterations && !converged() && !rounded() && step())
+    while (outcome_.iterations < options_.most_iterations && !converged() && !rounded() && !idle() && step())
       ++outcome_.iterations;
     return finish();
   }
@@ -64,6 +64,9 @@ class NewtonIteration {
 
   /// Whether rounding keeps the maps from the tolerance: with little friction slips are large against mu p.
   bool rounded() const { return best_residual_ <= options_.rounded && stays_ >= options_.most_stays; }
+
+  /// Whether sets change in circles along an edge: even cells answer sooner than patience.
+  bool idle() const { return edged_ && stays_ >= options_.most_idle_steps; }
 
   /// One step; false if there is none.
   bool step() {
@@ -134,7 +137,10 @@ class NewtonIteration {
   bool accept_part(const ContactUnknowns& base, const ContactUnknowns& increment, const ContactMask& chosen) {
     recent_.push_back(maps_.mean_square);
     if (recent_.size() > options_.remembered_steps) recent_.pop_front();
-    const double allowed = first_ ? unbounded : *std::max_element(recent_.begin(), recent_.end());
+    const bool careful = stays_ >= options_.idle_steps;
+    const double allowed = first_    ? unbounded
+                           : careful ? recent_.back()
+                                     : *std::max_element(recent_.begin(), recent_.end());
     ContactUnknowns kept;
     NaturalMaps kept_maps;
     double least = unbounded;

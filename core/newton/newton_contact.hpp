@@ -32,7 +32,9 @@ struct NewtonOptions {
   int refining_iterations = 20;      ///< the same on a grid finer than one that gave an answer
   bool first_all_stick = false;      ///< whether the first step holds every contact node sticking
   std::size_t remembered_steps = 4;  ///< whose largest norm a step may reach: more lets sets change, fewer is safer
-  double shortest_step = 0.05;       ///< part of a step below which it is not shortened
+  int idle_steps = 6;           ///< that do not halve the least residual, after which a step reaches the last alone
+  int most_idle_steps = 12;     ///< of an iteration along an edge: such steps rarely end
+  double shortest_step = 0.05;  ///< part of a step below which it is not shortened
   /// Residuals between which the edge follows the pressure: above, contacts change; below, it moves R_r by 1e-9.
   double edge_follows = 1e-2, edge_rests = 1e-6;
 

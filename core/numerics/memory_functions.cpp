@@ -1,9 +1,11 @@
 #include "core/numerics/memory_functions.hpp"
 
+#include <array>
 #include <cmath>
 #include <complex>
 #include <vector>
 
+#include "core/numerics/chebyshev.hpp"
 #include "core/numerics/solution_limits.hpp"
 
 namespace rollres {
@@ -100,19 +102,62 @@ Eigen::VectorXd edge_memory(double x, int count, const ScaledBesselK& k) {
   return values;
 }
 
-double scaled_exponential_integral(double x) {
-  if (x < 1) return -std::exp(x) * std::expint(-x);
+namespace {
+
+constexpr double euler = 0.57721566490153286;
+
+/// Ei(x) - euler - ln|x| for |x| <= 1: the sum of x^k/(k k!).
+double entire_part(double x) {
+  static const std::array<double, 18> coefficients = [] {
+    std::array<double, 18> c{};
+    double factorial = 1;
+    for (int k = 1; k <= 18; ++k) c[static_cast<std::size_t>(k - 1)] = 1 / (k * (factorial *= k));
+    return c;
+  }();
+  double sum = 0;
+  for (std::size_t k = coefficients.size(); k-- > 0;) sum = coefficients[k] + sum * x;
+  return sum * x;
+}
+
+constexpr double tabled_to = 1024;
+
+/// A function of x from 1 to tabled_to whose only singularity is 0: on panels that double it is as smooth as on the
+/// first.
+ChebyshevTable<1> on_doublings(double (*function)(double)) {
+  std::vector<double> borders;
+  for (double x = 1; x <= tabled_to; x *= 2) borders.push_back(x);
+  return {borders, 22, [&](double x) { return ChebyshevTable<1>::Values::Constant(function(x)); }};
+}
+
+/// 1/x (1 + sign/x + 2/x^2 + sign 6/x^3 + ...)
+double far_integral(double x, int sign) {
+  double term = 1 / x, sum = 0;
+  for (int k = 1; k < 40 && std::abs(term) > 1e-18 * sum; ++k, term *= sign * (k - 1) / x) sum += term;
+  return sum;
+}
+
+double fraction_of_exponential_integral(double x) {
   // Continued fraction, from below (Abramowitz and Stegun 5.1.22 in its even form).
   double tail = 0;
   for (int k = 20 + static_cast<int>(80 / x); k >= 1; --k) tail = k * k / (x + 2 * k + 1 - tail);
   return 1 / (x + 1 - tail);
 }
 
+}  // namespace
+
+double scaled_exponential_integral(double x) {
+  if (x < 1) return -std::exp(x) * (euler + std::log(x) + entire_part(-x));
+  if (x >= tabled_to) return far_integral(x, -1);
+  static const ChebyshevTable<1> table = on_doublings(fraction_of_exponential_integral);
+  return table(x)[0];
+}
+
 double scaled_growing_integral(double x) {
-  if (x < 40) return std::exp(-x) * std::expint(x);
-  double term = 1 / x, sum = 0;
-  for (int k = 1; k < 40 && std::abs(term) > 1e-18 * sum; ++k, term *= (k - 1) / x) sum += term;
-  return sum;
+  if (x < 1) return std::exp(-x) * (euler + std::log(x) + entire_part(x));
+  if (x >= tabled_to) return far_integral(x, 1);
+  static const ChebyshevTable<1> table =
+      on_doublings([](double at) { return at < 40 ? std::exp(-at) * std::expint(at) : far_integral(at, 1); });
+  return table(x)[0];
 }
 
 double remembered_pole(double x, double length) {
@@ -121,7 +166,7 @@ double remembered_pole(double x, double length) {
 
 TrigonometricIntegrals trigonometric_integrals(double x) {
   if (x < 4) {
-    double sine = 0, cosine = 0.57721566490153286 + std::log(x), power = 1;
+    double sine = 0, cosine = euler + std::log(x), power = 1;
     for (int k = 1; k < 40; ++k) {  // x^k/k!, signs + - - +
       power *= x / k;
       const double sign = k % 4 < 2 ? 1 : -1;

@@ -131,7 +131,8 @@ void print_keys(std::ostream& out) {
   write_markdown(out, table_of(input_rows()));
   out << "\nBesides: `" << master_curve_key << "`, a CSV file with the lists of a master curve, `" << strain_sweep_key
       << "`, one with those of a\nstrain sweep, `" << shift_table_key
-      << "`, one with a table of shifts; `$schema` and `comment`, texts that are ignored. Inputs of further "
+      << "`, one with a table of shifts, each of a further layer, too; `$schema` and `comment`, texts that are "
+         "ignored. Inputs of further "
          "layers are "
       << further_layers().form() << ", counted from 0: " << joined(further_layers().keys) << ".\n";
   out << "\n## Answers\n\nWhat formulas, limits, charts and queries name beside inputs; a number of a list by its "

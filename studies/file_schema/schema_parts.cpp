@@ -32,6 +32,31 @@ Json number(const InputKind& kind) {
   return {{"anyOf", forms}};
 }
 
+/// The names of tables, of a scene or of a layer.
+Json table_texts() {
+  Json texts = Json::object();
+  texts[std::string(master_curve_key)] = {
+      {"type", "string"},
+      {"minLength", 1},
+      {"description",
+       "CSV file with the lists of a master curve, relative to this file: frequency [Hz], "
+       "storage_modulus [Pa], loss_modulus [Pa]"}};
+  texts[std::string(strain_sweep_key)] = {
+      {"type", "string"},
+      {"minLength", 1},
+      {"description",
+       "CSV file with a strain sweep at one frequency, relative to this file: strain [1] or [%], rising, "
+       "storage_modulus [Pa], loss_modulus [Pa]"}};
+  texts[std::string(shift_table_key)] = {
+      {"type", "string"},
+      {"minLength", 1},
+      {"description",
+       "CSV file with a table of shifts, relative to this file: temperature [K] or [degC], a_T or log10_a_T, b_T"}};
+  texts[std::string(ignored_columns_key)] = {
+      {"type", "array"}, {"items", name()}, {"description", "columns of these files that are left out"}};
+  return texts;
+}
+
 /// One of a scene's further layers.
 Json further_layer() {
   Json properties = Json::object(), needed = Json::array();
@@ -39,6 +64,7 @@ Json further_layer() {
     properties[std::string(kind.quantity.key)] = input(kind);
     if (kind.needed_by_all()) needed.push_back(kind.quantity.key);
   }
+  properties.update(table_texts());
   return {{"type", "object"}, {"properties", properties}, {"required", needed}, {"additionalProperties", false}};
 }
 
@@ -166,25 +192,7 @@ Json ignored_texts() {
 
 Json scene_texts() {
   Json texts = ignored_texts();
-  texts[std::string(master_curve_key)] = {
-      {"type", "string"},
-      {"minLength", 1},
-      {"description",
-       "CSV file with the lists of a master curve, relative to this file: frequency [Hz], "
-       "storage_modulus [Pa], loss_modulus [Pa]"}};
-  texts[std::string(strain_sweep_key)] = {
-      {"type", "string"},
-      {"minLength", 1},
-      {"description",
-       "CSV file with a strain sweep at one frequency, relative to this file: strain [1] or [%], rising, "
-       "storage_modulus [Pa], loss_modulus [Pa]"}};
-  texts[std::string(shift_table_key)] = {
-      {"type", "string"},
-      {"minLength", 1},
-      {"description",
-       "CSV file with a table of shifts, relative to this file: temperature [K] or [degC], a_T or log10_a_T, b_T"}};
-  texts[std::string(ignored_columns_key)] = {
-      {"type", "array"}, {"items", name()}, {"description", "columns of these files that are left out"}};
+  texts.update(table_texts());
   return texts;
 }
 

@@ -170,7 +170,10 @@ Json read_shift_table(const std::filesystem::path& file, const std::vector<std::
   return lists;
 }
 
-Json with_master_curve(const Json& object, const std::filesystem::path& folder, const std::string& place) {
+namespace {
+
+/// One part of a scene with the lists of its own tables.
+Json with_own_tables(const Json& object, const std::filesystem::path& folder, const std::string& place) {
   const auto named = [&](std::string_view key) { return object.is_object() && object.contains(std::string(key)); };
   if (std::none_of(table_keys.begin(), table_keys.end(), named)) return object;
   const std::vector<std::string> ignored = names_or_none(object, std::string(ignored_columns_key), place);
@@ -200,6 +203,38 @@ Json with_master_curve(const Json& object, const std::filesystem::path& folder, 
       add_lists(shift_table_key, shift_table_inputs, read_shift_table);
     else if (key != ignored_columns_key)
       complete[key] = value;
+  return complete;
+}
+
+}  // namespace
+
+std::vector<TablePart> parts_with_tables(Json& scene) {
+  if (!scene.is_object()) return {};
+  std::vector<TablePart> parts{{&scene, ""}};
+  for (auto& [key, list] : scene.items()) {
+    const InputKind* const kind = find_input(key);
+    if (!kind || !kind->layers || !list.is_array()) continue;
+    for (std::size_t layer = 0; layer < list.size(); ++layer)
+      if (list[layer].is_object()) parts.push_back({&list[layer], key + "[" + std::to_string(layer) + "]."});
+  }
+  return parts;
+}
+
+bool names_tables(const Json& scene) {
+  Json copy = scene;
+  for (const TablePart& part : parts_with_tables(copy))
+    for (const std::string_view key : table_keys)
+      if (part.object->contains(std::string(key))) return true;
+  return false;
+}
+
+Json with_master_curve(const Json& object, const std::filesystem::path& folder, const std::string& place) {
+  Json complete = object;
+  const std::vector<TablePart> parts = parts_with_tables(complete);
+  for (auto part = parts.rbegin(); part != parts.rend(); ++part)  // the layers before the object that holds them
+    *part->object =
+        with_own_tables(*part->object, folder,
+                        part->prefix.empty() ? place : place + ": " + part->prefix.substr(0, part->prefix.size() - 1));
   return complete;
 }
 

@@ -92,7 +92,16 @@ std::vector<double> measured_shift_factors(const MeasuredTable& table);
 
 Json read_shift_table(const std::filesystem::path& file, const std::vector<std::string>& ignored = {});
 
-/// A scene or a part of one with the lists in place of the files' names; without such a key it is left as it is.
+/// What of a scene may name tables: its own layer's inputs, then each further layer's object.
+struct TablePart {
+  Json* object;
+  std::string prefix;  ///< of its keys: "coating_layers[0]."
+};
+std::vector<TablePart> parts_with_tables(Json& scene);
+bool names_tables(const Json& scene);
+
+/// A scene or a part of one with the lists in place of the files' names, in further layers too; without such a key it
+/// is left as it is.
 /// @param folder that the name is relative to   @param place in messages
 Json with_master_curve(const Json& object, const std::filesystem::path& folder, const std::string& place);
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
+#include <optional>
 #include <set>
 #include <stdexcept>
 
@@ -36,7 +37,7 @@ Json& layer_object(std::vector<SceneEntry>& entries, const SceneEntry& override)
   const auto list =
       std::find_if(entries.begin(), entries.end(), [&](const SceneEntry& entry) { return entry.key == parts.list; });
   RollingScene scene;
-  if (list != entries.end()) assign_input(scene, parts.list, layers_of(*list));
+  if (list != entries.end()) assign_input(scene, parts.list, BondedLayers(list->value.size()));
   if (const std::string why = absent_layer(scene, override.key); !why.empty())
     refuse(override.place, override.key, override.value, why);
   return list->value[parts.layer];
@@ -59,6 +60,14 @@ void refuse_numbers_of_other_length(Body was, const std::vector<SceneEntry>& aft
         !value_given(overrides, entry.key))
       refuse(width.place, width.key, width.value,
              entry.key + " = " + shortest(entry.value.get<double>()) + " was given " + anew);
+}
+
+/// What the last of the words "KEY=VALUE" gives this key.
+std::optional<std::string> value_in(const std::vector<std::string>& words, const std::string& key) {
+  std::optional<std::string> value;
+  for (const std::string& word : words)
+    if (word.starts_with(key + "=")) value = word.substr(key.size() + 1);
+  return value;
 }
 
 /// Takes an input away that may be absent.
@@ -100,20 +109,21 @@ std::vector<SceneEntry> override_entries(const std::vector<std::string>& words, 
         entry.value = *value;
     }
     std::vector<SceneEntry> meant{entry};
-    if (find_name(table_keys, entry.key) >= 0) {
+    const std::string own(own_key(entry.key)), prefix = entry.key.substr(0, entry.key.size() - own.size());
+    if (find_name(table_keys, own) >= 0) {
       meant.clear();
       Json named = Json::object();
-      named[entry.key] = word.substr(equals + 1);
-      const std::string said = std::string(listed_moduli_key) + "=";
-      for (const std::string& other : words)
-        if (other.starts_with(said)) named[std::string(listed_moduli_key)] = other.substr(said.size());
+      named[own] = word.substr(equals + 1);
+      if (const auto said = value_in(words, prefix + std::string(listed_moduli_key)))
+        named[std::string(listed_moduli_key)] = *said;
       const Json lists = with_master_curve(named, {}, place);
       for (const auto& [key, value] : lists.items())
-        if (key != listed_moduli_key || !named.contains(key)) meant.push_back({key, value, place});
-    } else {
-      refuse_unknown_key(entry);
+        if (key != listed_moduli_key || !named.contains(key)) meant.push_back({prefix + key, value, place});
     }
-    for (const SceneEntry& one : meant) add_entry(entries, one);
+    for (const SceneEntry& one : meant) {
+      refuse_unknown_key(one);
+      add_entry(entries, one);
+    }
   }
   return entries;
 }
@@ -145,12 +155,24 @@ std::vector<SceneEntry> overridden(std::vector<SceneEntry> entries, const std::v
 }
 
 Json without_replaced_tables(Json object, const std::vector<std::string>& words) {
-  const auto named = [&](std::string_view key) { return object.contains(std::string(key)); };
-  bool any = false;
-  for (const std::string_view key : table_keys)
-    for (const std::string& word : words)
-      if (word.starts_with(std::string(key) + "=")) any |= object.erase(std::string(key)) > 0;
-  if (any && std::none_of(table_keys.begin(), table_keys.end(), named)) object.erase(std::string(ignored_columns_key));
+  for (const TablePart& part : parts_with_tables(object)) {
+    const auto named = [&](std::string_view key) { return part.object->contains(std::string(key)); };
+    bool any = false;
+    for (const std::string_view key : table_keys)
+      if (const auto given = value_in(words, part.prefix + std::string(key)); given && named(key)) {
+        any = true;
+        part.object->erase(std::string(key));
+        if (part.prefix.empty()) continue;
+        // A further layer is checked before it is overridden, and needs its lists.
+        (*part.object)[std::string(key)] = std::filesystem::absolute(*given).string();
+        if (key != master_curve_key) continue;
+        part.object->erase(std::string(listed_moduli_key));
+        if (const auto said = value_in(words, part.prefix + std::string(listed_moduli_key)))
+          (*part.object)[std::string(listed_moduli_key)] = *said;
+      }
+    if (any && std::none_of(table_keys.begin(), table_keys.end(), named))
+      part.object->erase(std::string(ignored_columns_key));
+  }
   return object;
 }
 

@@ -48,18 +48,21 @@ std::string one_line(const Json& json) { return json.dump(-1, ' ', false, Json::
 
 /// The scene with the names of its files as whole paths. Refuses what is not a regular file below the folder.
 Json confined(Json object, const std::filesystem::path& folder, const std::string& place) {
-  for (const std::string_view key : table_keys) {
-    const auto named = object.find(std::string(key));
-    if (named == object.end() || !named->is_string()) continue;
-    if (folder.empty()) refuse(place, key, *named, "a line may name files only where --files gives a folder of them");
-    std::error_code none;
-    const std::filesystem::path file = std::filesystem::canonical(folder / named->get<std::string>(), none);
-    const bool below =
-        !file.empty() && std::mismatch(folder.begin(), folder.end(), file.begin(), file.end()).first == folder.end();
-    if (!below || !std::filesystem::is_regular_file(file, none))
-      refuse(place, key, *named, "must be a file in the folder of --files");
-    *named = file.string();
-  }
+  for (const TablePart& part : parts_with_tables(object))
+    for (const std::string_view key : table_keys) {
+      const auto named = part.object->find(std::string(key));
+      if (named == part.object->end() || !named->is_string()) continue;
+      const std::string said = part.prefix + std::string(key);
+      if (folder.empty())
+        refuse(place, said, *named, "a line may name files only where --files gives a folder of them");
+      std::error_code none;
+      const std::filesystem::path file = std::filesystem::canonical(folder / named->get<std::string>(), none);
+      const bool below =
+          !file.empty() && std::mismatch(folder.begin(), folder.end(), file.begin(), file.end()).first == folder.end();
+      if (!below || !std::filesystem::is_regular_file(file, none))
+        refuse(place, said, *named, "must be a file in the folder of --files");
+      *named = file.string();
+    }
   return object;
 }
 

@@ -18,9 +18,7 @@ CompleteScene complete_scene(const Json& object, const std::filesystem::path& fi
   const Json& scene = needed(object, "scene", place, rule);
   if (scene.is_object()) {
     const std::string here = place + ": scene";
-    const bool plain = std::none_of(table_keys.begin(), table_keys.end(),
-                                    [&](std::string_view key) { return scene.contains(std::string(key)); });
-    return {with_master_curve(scene, file.parent_path(), here), here, plain};
+    return {with_master_curve(scene, file.parent_path(), here), here, !names_tables(scene)};
   }
   const std::filesystem::path named = file.parent_path() / needed_text(object, "scene", place, rule);
   return {with_master_curve(read_object(named.string()), named.parent_path(), named.string()), named.string()};

@@ -79,7 +79,7 @@ bool inline_variants(Json& varied, const std::filesystem::path& folder, const st
   Json objects = objects_of(varied, place);
   bool any = false;
   for (auto& [name, inputs] : objects.items())
-    if (inputs.contains(file_key)) {
+    if (names_tables(inputs)) {
       inputs = with_master_curve(inputs, folder, place + ": " + variant + ": " + name);
       any = true;
     }

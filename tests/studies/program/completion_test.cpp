@@ -154,6 +154,6 @@ TEST_CASE("the manual page names every command and option, and man renders it wi
   CHECK(run.status == 0);
   CHECK(run.out == "");
   CHECK_THAT(file_text(file + ".text"), Contains("rollres - rolling resistance") &&
-                                            Contains("rollres sweep --db FILE") &&
+                                            Contains("rollres slurm --tasks N --db FILE") &&
                                             Contains("creep (retardation) time"));
 }

@@ -89,6 +89,34 @@ TEST_CASE("a scene file names the table of its master curve, relative to itself"
         4);
 }
 
+TEST_CASE("a further layer names its table as the first one does, and an override another", "[studies][material]") {
+  const TemporaryDirectory folder;
+  const std::string shear = "frequency [Hz],G' [MPa],G\" [MPa]\n";
+  folder.write("cover.csv", shear + "1,3,0.3\n1e3,6,0.9\n");
+  const std::string other = folder.write("other.csv", shear + "1,3,0.3\n1e3,6,0.9\n1e6,30,9\n").string();
+  const std::string coated = scene_text(R"("material": "elastic", "static_shear_modulus": 1e9, "coating_layers":
+    [{"layer_thickness": 0.002, "material": "master_curve", "master_curve_file": "cover.csv"}])");
+  const auto file = folder.write("scene.json", coated);
+  const RollingScene scene = read_scene(file);
+  REQUIRE(scene.coating_layers.size() == 1);
+  CHECK(scene.coating_layers.front().frequencies == std::vector<double>{1, 1e3});
+  CHECK(scene.coating_layers.front().storage_moduli == std::vector<double>{3e6, 6e6});
+  CHECK(scene_json(parse_scene(scene_json(scene), "text")) == scene_json(scene));
+  const auto study =
+      folder.write("study.json", R"({"study": "a", "scene": )" + coated + R"(, "axes": {"speed": [1, 2]}})");
+  CHECK(points(read_study(study)).back().coating_layers.front().loss_moduli == std::vector<double>{0.3e6, 0.9e6});
+
+  std::filesystem::remove(folder / "cover.csv");
+  CHECK(read_scene(file, {"coating_layers[0].master_curve_file=" + other}).coating_layers.front().frequencies.size() ==
+        3);
+  CHECK_THAT(message_of([&] { read_scene(file); }), Contains("cover.csv"));
+  folder.write("cover.csv", shear + "1,3,0.3\n1e3,6,0.9\n");
+  CHECK_THAT(message_of([&] { read_scene(file, {"lower_layers[0].master_curve_file=" + other}); }),
+             Contains("--set: lower_layers[0]"));
+  folder.write("cover.csv", "frequency [Hz],storage_modulus [MPa],loss_modulus [MPa]\n1,3,0.3\n1e3,6,0.9\n");
+  CHECK_THAT(message_of([&] { read_scene(file); }), Contains("coating_layers[0].listed_moduli is missing"));
+}
+
 TEST_CASE("a table of moduli that does not say whether they are of shear or Young's is refused with both choices",
           "[studies][material]") {
   const TemporaryDirectory folder;

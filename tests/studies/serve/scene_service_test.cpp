@@ -271,6 +271,10 @@ TEST_CASE("a line names files of the folder that is given, and no other", "[stud
     CHECK(read(whole_scenes(files), name) ==
           "line 1: master_curve_file = \"" + name + "\": must be a file in the folder of --files");
   CHECK_THAT(read(whole_scenes(), "rubber.csv"), Contains("only where --files gives a folder"));
+  const Json coated{{"coating_layers", {{{"material", "master_curve"}, {"master_curve_file", "/etc/passwd"}}}}};
+  for (const ReadScene& reader : {whole_scenes(files), whole_scenes()})
+    CHECK_THAT(message_of([&] { reader(coated, "line 1"); }),
+               Contains("line 1: coating_layers[0].master_curve_file = \"/etc/passwd\": ") && Contains("--files"));
   CHECK_THROWS_WITH(whole_scenes(folder.path / "nowhere"), Contains("--files = ") && Contains("must be a folder"));
 }
 
