@@ -4,7 +4,8 @@
 ///
 /// Residuals are relative, of the storage moduli first and then of the loss moduli: rolling resistance follows the
 /// loss, so that a percent of it weighs as much as one of the storage, however small the loss tangent is (down to
-/// noticeable_tangent, less than which counts as so much).
+/// noticeable_tangent, less than which counts as so much). Those of a table of relaxation are of G(t), at the
+/// frequencies 1/t.
 
 #include <Eigen/Core>
 #include <vector>
@@ -19,6 +20,8 @@ class RelativeRows {
   explicit RelativeRows(const MasterCurve& curve);
 
   Eigen::Index rows() const { return omega_.size(); }
+  /// Of G' and of G", or of G(t): once or twice the rows.
+  Eigen::Index equations() const { return wanted_.size(); }
   double lowest() const { return omega_.minCoeff(); }   ///< [rad/s]
   double highest() const { return omega_.maxCoeff(); }  ///< [rad/s]
   double decades() const;                               ///< of the table
@@ -40,10 +43,14 @@ class RelativeRows {
   double loss_at(double omega) const;
 
  private:
-  Eigen::VectorXd omega_, wanted_, size_;
+  Eigen::VectorXd omega_, wanted_, size_, loss_;
+  bool is_relaxation_;
   std::vector<Eigen::Index> order_;  // of ascending frequencies
   double rest_;
   bool free_rest_;
+
+  /// About G"(1/t) = (pi/2) |dG/d ln t|.
+  Eigen::VectorXd loss_of_relaxation() const;
 };
 
 /// The non-negative moduli of least misfit at fixed times, the last at rest where that is free [Pa].
