@@ -206,7 +206,7 @@ ResistanceChange::Logarithms ResistanceChange::at(const ContactModel& model, dou
 double spectrum_error(const ContactModel& model, double half_width) {
   // Two deviations, and half of one for the fit's own distance from the mean of what is open.
   constexpr double deviations = 2.5;
-  const auto is_curve = [](const MaterialInputs& layer) { return layer.material == MaterialModel::master_curve; };
+  const auto is_curve = [](const MaterialInputs& layer) { return is_measured_curve(layer.material); };
   const auto any_curve = [&](const std::vector<ModelLayer>& layers) {
     return std::any_of(layers.begin(), layers.end(), is_curve);
   };

@@ -29,8 +29,17 @@ constexpr double advantage_of_few = 10;
 /// So much evidence, as a logarithm, comes and goes with the noise of the rows.
 constexpr double evidence_by_chance = 3;
 
+/// "0.1 Hz", or "1.6 s" of a table of relaxation.
+std::string place_in_words(double frequency, bool relaxation) {
+  return relaxation ? message_text(1 / (2 * std::numbers::pi * frequency), " s") : message_text(frequency, " Hz");
+}
+
+const char* curve_in_words(const MasterCurve& curve) {
+  return curve.is_relaxation() ? "relaxation curve: " : "master curve: ";
+}
+
 std::string row_name(const MasterCurve& curve, std::size_t row) {
-  return message_text("row ", row + 1, " (", curve.frequencies[row], " Hz)");
+  return message_text("row ", row + 1, " (", place_in_words(curve.frequencies[row], curve.is_relaxation()), ")");
 }
 
 /// Adds a line for each of some rows, or one for all where they are many.
@@ -45,19 +54,28 @@ void add_lines(std::vector<std::string>& remarks, const std::vector<std::string>
 /// @param falls  whether falling storage moduli are told
 std::vector<std::string> remarks_on_rows(const MasterCurve& curve, bool falls) {
   const std::vector<std::size_t> order = rows_in_order(curve);
+  constexpr double noticed = 2e-3;  // of a relaxation modulus, which may come from creep
+  const std::string table = curve_in_words(curve);
   std::vector<std::string> remarks, moved, repeated, falling;
   for (std::size_t row = 1; row < curve.frequencies.size(); ++row)
-    if (curve.frequencies[row] < curve.frequencies[row - 1])
-      moved.push_back("master curve: " + row_name(curve, row) + " is out of the order of frequencies");
+    if (curve.is_relaxation() ? curve.frequencies[row] > curve.frequencies[row - 1]
+                              : curve.frequencies[row] < curve.frequencies[row - 1])
+      moved.push_back(table + row_name(curve, row) + " is out of the order of " +
+                      (curve.is_relaxation() ? "times" : "frequencies"));
   for (std::size_t i = 1; i < order.size(); ++i) {
     const std::size_t before = order[i - 1], row = order[i];
     if (curve.frequencies[row] == curve.frequencies[before])
-      repeated.push_back("master curve: " + row_name(curve, row) + " has the frequency of row " +
-                         std::to_string(before + 1) + "; both count");
-    else if (falls && curve.storage[row] < curve.storage[before])
-      falling.push_back("master curve: " + row_name(curve, row) +
-                        message_text(": the storage modulus falls from ", curve.storage[before], " to ",
-                                     curve.storage[row], " Pa, as no passive material's does"));
+      repeated.push_back(table + row_name(curve, row) + " has the " + (curve.is_relaxation() ? "time" : "frequency") +
+                         " of row " + std::to_string(before + 1) + "; both count");
+    else if (falls && curve.storage[row] < (curve.is_relaxation() ? 1 - noticed : 1) * curve.storage[before])
+      falling.push_back(
+          table +
+          (curve.is_relaxation()
+               ? row_name(curve, before) +
+                     message_text(": the modulus rises from ", curve.storage[row], " to ", curve.storage[before], " Pa")
+               : row_name(curve, row) + message_text(": the storage modulus falls from ", curve.storage[before], " to ",
+                                                     curve.storage[row], " Pa")) +
+          ", as no passive material's does");
   }
   for (const auto* const lines : {&moved, &repeated, &falling}) add_lines(remarks, *lines);
   return remarks;
@@ -70,7 +88,7 @@ std::vector<std::string> remarks_on_outliers(const MasterCurve& curve, const std
   std::vector<std::string> lines, remarks;
   for (std::size_t row = 0; row < misfits.size(); ++row)
     if (misfits[row] > std::max(outlier_ratio * usual, outlier_misfit))
-      lines.push_back("master curve: " + row_name(curve, row) + " is an outlier: " +
+      lines.push_back(curve_in_words(curve) + row_name(curve, row) + " is an outlier: " +
                       message_text(100 * misfits[row], " % from the fit, others ", 100 * usual, " %"));
   add_lines(remarks, lines);
   return remarks;
@@ -114,16 +132,19 @@ std::vector<std::size_t> rows_in_order(const MasterCurve& curve) {
 std::vector<double> relative_misfits(const MasterCurve& curve, const PronySeries& series) {
   std::vector<double> misfits;
   for (std::size_t row = 0; row < curve.frequencies.size(); ++row) {
-    const std::complex<double> measured(curve.storage[row], curve.loss[row]);
-    const std::complex<double> fitted = complex_modulus(series, 2 * std::numbers::pi * curve.frequencies[row]);
+    const double omega = 2 * std::numbers::pi * curve.frequencies[row];
+    const std::complex<double> measured(curve.storage[row], curve.is_relaxation() ? 0 : curve.loss[row]);
+    const std::complex<double> fitted =
+        curve.is_relaxation() ? relaxation_modulus(series, 1 / omega) : complex_modulus(series, omega);
     misfits.push_back(std::abs(fitted - measured) / std::abs(measured));
   }
   return misfits;
 }
 
 std::string MasterCurveFit::in_words() const {
-  return message_text("master curve as ", series.terms.size(), " Prony terms, misfit ", 100 * rms_misfit, " % rms and ",
-                      100 * largest_misfit, " % at most (at ", worst_frequency, " Hz)");
+  return message_text(is_relaxation ? "relaxation curve as " : "master curve as ", series.terms.size(),
+                      " Prony terms, misfit ", 100 * rms_misfit, " % rms and ", 100 * largest_misfit, " % at most (at ",
+                      place_in_words(worst_frequency, is_relaxation), ")");
 }
 
 MasterCurveFit fit_master_curve(const MasterCurve& curve) {
@@ -134,19 +155,23 @@ MasterCurveFit fit_master_curve(const MasterCurve& curve) {
   const std::size_t worst = static_cast<std::size_t>(std::max_element(misfit.begin(), misfit.end()) - misfit.begin());
   fit.largest_misfit = misfit[worst];
   fit.worst_frequency = curve.frequencies[worst];
+  fit.is_relaxation = curve.is_relaxation();
   fit.rms_misfit = Eigen::Map<const Eigen::VectorXd>(misfit.data(), std::ssize(misfit)).norm() /
                    std::sqrt(static_cast<double>(misfit.size()));
   constexpr double suspicious = 0.03;
-  const std::string contradiction = fit.rms_misfit > suspicious ? passivity_test(curve).in_words() : "";
+  const std::string contradiction =
+      fit.rms_misfit > suspicious && !curve.is_relaxation() ? passivity_test(curve).in_words() : "";
   fit.remarks = remarks_on_rows(curve, contradiction.empty());
   if (!contradiction.empty()) fit.remarks.push_back("master curve: " + contradiction);
-  if (const std::string swapped = swapped_moduli(curve.storage, curve.loss); !swapped.empty())
+  if (const std::string swapped = curve.is_relaxation() ? "" : swapped_moduli(curve.storage, curve.loss);
+      !swapped.empty())
     fit.remarks.push_back("master curve: " + swapped);
   for (std::string& remark : remarks_on_outliers(curve, misfit)) fit.remarks.push_back(std::move(remark));
   if (rows.free_rest() && fit.series.static_modulus <= not_shown * rows.least_rest())
-    fit.remarks.push_back(message_text(
-        "master curve: does not show the modulus at rest, taken as ", fit.series.static_modulus,
-        " Pa, about a tenth of the lowest storage modulus; static_shear_modulus gives it where it is known"));
+    fit.remarks.push_back(message_text(curve_in_words(curve), "does not show the modulus at rest, taken as ",
+                                       fit.series.static_modulus, " Pa, about a tenth of the lowest ",
+                                       curve.is_relaxation() ? "modulus" : "storage modulus",
+                                       "; static_shear_modulus gives it where it is known"));
   return fit;
 }
 
@@ -155,14 +180,22 @@ std::shared_ptr<const MasterCurveFit> shared_master_curve_fit(const MasterCurve&
   return cache(curve, [&] { return fit_master_curve(curve); });
 }
 
-std::shared_ptr<const MasterCurveFit> shared_master_curve_fit(const MaterialInputs& layer) {
+MasterCurve measured_curve(const MaterialInputs& layer) {
   const auto all_as_shear = [&](std::vector<double> listed) {
     for (double& modulus : listed) modulus = as_shear(layer, modulus);
     return listed;
   };
   const bool at_rest = layer.static_shear_modulus || layer.static_young_modulus;
-  return shared_master_curve_fit({layer.frequencies, all_as_shear(layer.storage_moduli),
-                                  all_as_shear(layer.loss_moduli), at_rest ? given_static_modulus(layer) : 0});
+  const double rest = at_rest ? given_static_modulus(layer) : 0;
+  if (layer.material == MaterialModel::master_curve)
+    return {layer.frequencies, all_as_shear(layer.storage_moduli), all_as_shear(layer.loss_moduli), rest};
+  MasterCurve curve{{}, all_as_shear(layer.relaxation_moduli), {}, rest};
+  for (const double time : layer.relaxation_times) curve.frequencies.push_back(1 / (2 * std::numbers::pi * time));
+  return curve;
+}
+
+std::shared_ptr<const MasterCurveFit> shared_master_curve_fit(const MaterialInputs& layer) {
+  return shared_master_curve_fit(measured_curve(layer));
 }
 
 }  // namespace rollres

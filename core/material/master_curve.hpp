@@ -21,23 +21,27 @@
 
 #include "core/material/open_spectrum.hpp"
 #include "core/material/prony_series.hpp"
+#include "core/scene/material_inputs.hpp"
 
 namespace rollres {
 
-/// Rows in any order; all lists of the same length.
+/// Rows in any order; all lists of the same length. A table of relaxation has no loss: its storage is G(t) at the times
+/// t = 1/(2 pi frequency).
 struct MasterCurve {
   std::vector<double> frequencies;    ///< [Hz], > 0
-  std::vector<double> storage, loss;  ///< G' > 0, G" >= 0 [Pa]
+  std::vector<double> storage, loss;  ///< G' > 0, G" >= 0 [Pa]; or G(t) > 0, and none
   double static_modulus = 0;          ///< G'(0) [Pa] where it is known; 0: found by the fit
 
+  bool is_relaxation() const { return loss.empty(); }
   bool operator==(const MasterCurve&) const = default;
 };
 
-/// The series with what it costs: misfits are |G*_fit - G*| / |G*| at the rows.
+/// The series with what it costs: misfits are |G*_fit - G*| / |G*| at the rows, of G(t) where that is measured.
 struct MasterCurveFit {
   PronySeries series;
   double rms_misfit = 0, largest_misfit = 0;  ///< [1]
   double worst_frequency = 0;                 ///< of the largest misfit [Hz]
+  bool is_relaxation = false;                 ///< what the rows are
   OpenSpectrum open;
   std::vector<std::string> remarks;  ///< on rows out of order, repeated, falling or far off; one line each
 
@@ -57,7 +61,10 @@ MasterCurveFit fit_master_curve(const MasterCurve& curve);
 /// The same, from a small cache shared by all threads: a sweep asks for one curve at every point.
 std::shared_ptr<const MasterCurveFit> shared_master_curve_fit(const MasterCurve& curve);
 
-/// The fit of a layer whose material is a master curve, at the reference temperature.
+/// The rows of a layer whose material is_measured_curve, in shear, at the reference temperature.
+MasterCurve measured_curve(const MaterialInputs& layer);
+
+/// Their fit.
 std::shared_ptr<const MasterCurveFit> shared_master_curve_fit(const MaterialInputs& layer);
 
 }  // namespace rollres

@@ -59,6 +59,7 @@ CreepSpectrum spectrum_at_reference(const MaterialInputs& layer, const Softening
     case MaterialModel::prony:
       return creep_of(prony_series(layer), factors);
     case MaterialModel::master_curve:
+    case MaterialModel::relaxation_curve:
       return creep_of(shared_master_curve_fit(layer)->series, factors);
     case MaterialModel::elastic:
       break;
@@ -105,7 +106,7 @@ std::string material_route(const MaterialInputs& layer) {
   std::string route;
   if (layer.material == MaterialModel::prony)
     route = message_text<5>("Prony series of ", prony_series(layer).terms.size(), " terms, exact");
-  if (layer.material == MaterialModel::master_curve) route = shared_master_curve_fit(layer)->in_words();
+  if (is_measured_curve(layer.material)) route = shared_master_curve_fit(layer)->in_words();
   if (layer.material == MaterialModel::fractional_zener)
     route = layer.fractional_order == 1
                 ? "fractional Zener solid of order 1: a Zener solid"
@@ -124,7 +125,7 @@ std::string material_route(const MaterialInputs& layer) {
 
 std::vector<std::string> material_warnings(const MaterialInputs& layer) {
   std::vector<std::string> warnings;
-  if (layer.material == MaterialModel::master_curve) warnings = shared_master_curve_fit(layer)->remarks;
+  if (is_measured_curve(layer.material)) warnings = shared_master_curve_fit(layer)->remarks;
   if (const std::string swapped = swapped_moduli(layer.sweep_storage_moduli, layer.sweep_loss_moduli); !swapped.empty())
     warnings.push_back("strain sweep: " + swapped);
   if (layer.temperature && layer.wlf_c1) {

@@ -65,8 +65,9 @@ OpenSpectrum open_missed_terms(const RelativeRows& rows, const PronySeries& seri
   const int count = checked_count(std::ceil(decades * per_decade), "retardation times");
   OpenSpectrum open;
   for (int j = 0; j <= count; ++j) open.times.push_back(shortest * std::pow(10, decades * j / count));
-  const auto row_count = static_cast<double>(rows.rows()), terms = static_cast<double>(series.terms.size());
-  const double share = share_within * std::pow((terms + 0.5) / row_count, 2);
+  const auto row_count = static_cast<double>(rows.rows()), equations = static_cast<double>(rows.equations()),
+             parameters = 2 * static_cast<double>(series.terms.size()) + 1;
+  const double share = share_within * std::pow(parameters / equations, 2);
   VectorXd before(count + 1 + (rows.free_rest() ? 1 : 0));  // the rows
   for (Index j = 0; j <= count; ++j) {
     const double own = 1 / open.times[static_cast<std::size_t>(j)];
@@ -77,9 +78,9 @@ OpenSpectrum open_missed_terms(const RelativeRows& rows, const PronySeries& seri
   if (rows.free_rest()) before(count + 1) = series.static_modulus;
 
   const VectorXd residual = rows.residuals(series);
-  const double freedom = std::max(row_count / 2, row_count - terms - 0.5);
+  const double freedom = std::max(row_count / 2, row_count * (1 - parameters / equations));
   MatrixXd a = rows.responses(open.times) * before.asDiagonal();
-  for (const Index from : {Index{0}, rows.rows()})
+  for (Index from = 0; from < rows.equations(); from += rows.rows())
     a.middleRows(from, rows.rows()) /=
         std::max(least_deviation, std::sqrt(residual.segment(from, rows.rows()).squaredNorm() / freedom));
   open.spread = before.asDiagonal() * posterior_root(a);

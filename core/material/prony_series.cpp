@@ -20,6 +20,12 @@ std::complex<double> complex_modulus(const PronySeries& series, double omega) {
   return modulus;
 }
 
+double relaxation_modulus(const PronySeries& series, double time) {
+  double sum = series.static_modulus;
+  for (const PronySeries::Term& term : series.terms) sum += term.modulus * std::exp(-time / term.time);
+  return sum;
+}
+
 PronySeries ordered(PronySeries series) {
   std::sort(series.terms.begin(), series.terms.end(), [](const auto& a, const auto& b) { return a.time < b.time; });
   std::vector<PronySeries::Term> terms;

@@ -23,6 +23,9 @@ struct PronySeries {
 /// G*(omega) [Pa], omega [rad/s] of either sign.
 std::complex<double> complex_modulus(const PronySeries& series, double omega);
 
+/// G(t) [Pa], t [s] >= 0.
+double relaxation_modulus(const PronySeries& series, double time);
+
 /// The series with its terms in order, equal times as one and moduli that are zero left out.
 PronySeries ordered(PronySeries series);
 

@@ -21,19 +21,34 @@ constexpr double share_at_rest = 0.1;
 
 }  // namespace
 
-RelativeRows::RelativeRows(const MasterCurve& curve) : free_rest_(curve.static_modulus == 0) {
+RelativeRows::RelativeRows(const MasterCurve& curve)
+    : is_relaxation_(curve.is_relaxation()), free_rest_(curve.static_modulus == 0) {
   const Eigen::Index rows = std::ssize(curve.frequencies);
   omega_ = 2 * std::numbers::pi * Eigen::Map<const Eigen::VectorXd>(curve.frequencies.data(), rows);
-  wanted_.resize(2 * rows);
+  wanted_.resize(rows + std::ssize(curve.loss));
   wanted_ << Eigen::Map<const Eigen::VectorXd>(curve.storage.data(), rows),
-      Eigen::Map<const Eigen::VectorXd>(curve.loss.data(), rows);
+      Eigen::Map<const Eigen::VectorXd>(curve.loss.data(), std::ssize(curve.loss));
   size_ = wanted_;
-  size_.tail(rows) = wanted_.tail(rows).cwiseMax(noticeable_tangent * wanted_.head(rows));
-  noise_ = Eigen::VectorXd::Ones(2 * rows);
+  if (!is_relaxation_) size_.tail(rows) = wanted_.tail(rows).cwiseMax(noticeable_tangent * wanted_.head(rows));
+  noise_ = Eigen::VectorXd::Ones(wanted_.size());
   rest_ = free_rest_ ? share_at_rest * wanted_.head(rows).minCoeff() : curve.static_modulus;
   order_.resize(curve.frequencies.size());
   std::iota(order_.begin(), order_.end(), Eigen::Index{0});
   std::stable_sort(order_.begin(), order_.end(), [&](Eigen::Index a, Eigen::Index b) { return omega_(a) < omega_(b); });
+  loss_ = is_relaxation_ ? loss_of_relaxation() : Eigen::VectorXd(size_.tail(rows));
+}
+
+Eigen::VectorXd RelativeRows::loss_of_relaxation() const {
+  Eigen::VectorXd loss(rows());
+  for (Eigen::Index i = 0; i < rows(); ++i) {
+    const Eigen::Index here = order_[static_cast<std::size_t>(i)],
+                       below = order_[static_cast<std::size_t>(std::max<Eigen::Index>(i - 1, 0))],
+                       above = order_[static_cast<std::size_t>(std::min(i + 1, rows() - 1))];
+    const double apart = std::max(std::log(omega_(above) / omega_(below)), 0.1);
+    loss(here) =
+        std::max(std::numbers::pi / 2 * (wanted_(above) - wanted_(below)) / apart, noticeable_tangent * wanted_(here));
+  }
+  return loss;
 }
 
 RelativeRows RelativeRows::with_noise(const Eigen::VectorXd& noise) const {
@@ -45,21 +60,27 @@ RelativeRows RelativeRows::with_noise(const Eigen::VectorXd& noise) const {
 double RelativeRows::decades() const { return std::log10(highest() / lowest()); }
 
 Eigen::MatrixXd RelativeRows::responses(const std::vector<double>& times) const {
-  Eigen::MatrixXd a(2 * rows(), std::ssize(times) + (free_rest_ ? 1 : 0));
+  Eigen::MatrixXd a(equations(), std::ssize(times) + (free_rest_ ? 1 : 0));
   for (Eigen::Index j = 0; j < std::ssize(times); ++j) {
     const Eigen::ArrayXd turn = omega_.array() * times[static_cast<std::size_t>(j)];
-    a.col(j) << (1 - 1 / (1 + turn.square())), turn / (1 + turn.square());
+    if (is_relaxation_)
+      a.col(j) = (-1 / turn).exp();
+    else
+      a.col(j) << (1 - 1 / (1 + turn.square())), turn / (1 + turn.square());
   }
-  if (free_rest_) a.col(a.cols() - 1) << Eigen::VectorXd::Ones(rows()), Eigen::VectorXd::Zero(rows());
+  if (free_rest_) a.col(a.cols() - 1) << Eigen::VectorXd::Ones(rows()), Eigen::VectorXd::Zero(equations() - rows());
   return a.array().colwise() / (size_.array() * noise_.array());
 }
 
 Eigen::MatrixXd RelativeRows::slopes(const std::vector<double>& times) const {
-  Eigen::MatrixXd a(2 * rows(), std::ssize(times));
+  Eigen::MatrixXd a(equations(), std::ssize(times));
   for (Eigen::Index j = 0; j < std::ssize(times); ++j) {
     const Eigen::ArrayXd turn = omega_.array() * times[static_cast<std::size_t>(j)];
     const Eigen::ArrayXd square = turn.square(), whole = (1 + square).square();
-    a.col(j) << 2 * square / whole, turn * (1 - square) / whole;
+    if (is_relaxation_)
+      a.col(j) = (-1 / turn).exp() / turn;
+    else
+      a.col(j) << 2 * square / whole, turn * (1 - square) / whole;
   }
   return a.array().colwise() / (size_.array() * noise_.array());
 }
@@ -82,7 +103,7 @@ Eigen::VectorXd RelativeRows::residuals(const PronySeries& series) const {
 }
 
 double RelativeRows::loss_at(double omega) const {
-  const auto loss = [&](Eigen::Index row) { return size_(rows() + row); };
+  const auto loss = [&](Eigen::Index row) { return loss_(row); };
   const auto above = std::lower_bound(order_.begin(), order_.end(), omega,
                                       [&](Eigen::Index row, double at) { return omega_(row) < at; });
   if (above == order_.begin()) return loss(order_.front());
@@ -114,7 +135,7 @@ TermSlopes::TermSlopes(const RelativeRows& rows, const PronySeries& series) {
     times.push_back(term.time);
   }
   if (rows.free_rest()) moduli(count) = series.static_modulus;
-  slopes.resize(2 * rows.rows(), moduli.size() + count);
+  slopes.resize(rows.equations(), moduli.size() + count);
   slopes << rows.responses(times) * moduli.asDiagonal(), rows.slopes(times) * moduli.head(count).asDiagonal();
 }
 

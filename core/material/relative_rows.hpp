@@ -4,7 +4,8 @@
 ///
 /// Residuals are relative, of the storage moduli first and then of the loss moduli: rolling resistance follows the
 /// loss, so that a percent of it weighs as much as one of the storage, however small the loss tangent is (down to
-/// noticeable_tangent, less than which counts as so much).
+/// noticeable_tangent, less than which counts as so much). Those of a table of relaxation are of G(t), at the
+/// frequencies 1/t.
 
 #include <Eigen/Core>
 #include <vector>
@@ -24,9 +25,11 @@ class RelativeRows {
 
   Eigen::Index rows() const { return omega_.size(); }
   const Eigen::VectorXd& frequencies() const { return omega_; }  ///< of the rows as they came [rad/s]
-  double lowest() const { return omega_.minCoeff(); }            ///< [rad/s]
-  double highest() const { return omega_.maxCoeff(); }           ///< [rad/s]
-  double decades() const;                                        ///< of the table
+  /// Of G' and of G", or of G(t): once or twice the rows.
+  Eigen::Index equations() const { return wanted_.size(); }
+  double lowest() const { return omega_.minCoeff(); }   ///< [rad/s]
+  double highest() const { return omega_.maxCoeff(); }  ///< [rad/s]
+  double decades() const;                               ///< of the table
 
   /// Whether the modulus at rest is not given; it is then least_rest() and more.
   bool free_rest() const { return free_rest_; }
@@ -45,11 +48,15 @@ class RelativeRows {
   double loss_at(double omega) const;
 
  private:
-  Eigen::VectorXd omega_, wanted_, noise_;
-  Eigen::VectorXd size_;             // what a residual of 1 is, for usual noise
+  Eigen::VectorXd omega_, wanted_, loss_, noise_;
+  Eigen::VectorXd size_;  // what a residual of 1 is, for usual noise
+  bool is_relaxation_;
   std::vector<Eigen::Index> order_;  // of ascending frequencies
   double rest_;
   bool free_rest_;
+
+  /// About G"(1/t) = (pi/2) |dG/d ln t|.
+  Eigen::VectorXd loss_of_relaxation() const;
 };
 
 /// The non-negative moduli of least misfit at fixed times, the last at rest where that is free [Pa].

@@ -29,7 +29,7 @@ MeanSquares mean_squares(const ArrayXd& decades, const ArrayXd& squares, double 
   return means;
 }
 
-/// Logarithm of the probability of normal errors of these variances, two at each row.
+/// Twice the logarithm of the probability of normal errors of these variances.
 double log_likelihood(const ArrayXd& squares, const ArrayXd& variances) {
   return -(variances.log() + squares / variances).sum();
 }
@@ -42,20 +42,20 @@ Eigen::VectorXd noise_by_frequency(const RelativeRows& rows, const PronySeries& 
   constexpr double exact = 2e-5;        // residuals that count as none
   constexpr double least_fit = 0.3;     // of a row
   constexpr double shown = 4;           // a gain of the logarithm that does not come by chance
-  const Index count = rows.rows();
-  Eigen::VectorXd noise = Eigen::VectorXd::Ones(2 * count);
+  const Index count = rows.rows(), each = rows.equations() / count;
+  const Eigen::VectorXd alike = Eigen::VectorXd::Ones(rows.equations());
   const double width = std::max(least_width, rows_together / (2.5 * static_cast<double>(count)) * rows.decades());
-  if (width > rows.decades() / 4) return noise;
+  if (width > rows.decades() / 4) return alike;
   // Over the fit, not over the row: a modulus that came out small by chance is not the more certain for it.
   const ArrayXd measured = rows.residuals(series), fitted = (1 + measured).max(least_fit), residual = measured / fitted;
-  const ArrayXd squares = 0.5 * (residual.head(count).square() + residual.tail(count).square()) + exact * exact;
+  const ArrayXd squares = residual.square().reshaped(count, each).rowwise().mean() + exact * exact;
   const ArrayXd decades = rows.frequencies().array().log10();
   const MeanSquares means = mean_squares(decades, squares, width);
   const double usual = squares.mean();
   const ArrayXd usual_of_others = (squares.sum() - squares) / static_cast<double>(count - 1);
-  if (log_likelihood(squares, means.others) < log_likelihood(squares, usual_of_others) + shown) return noise;
-  noise << (means.all / usual).sqrt(), (means.all / usual).sqrt();
-  return noise.array() * fitted;
+  const double gain = log_likelihood(squares, means.others) - log_likelihood(squares, usual_of_others);
+  if (0.5 * static_cast<double>(each) * gain < shown) return alike;
+  return (means.all / usual).sqrt().replicate(each, 1) * fitted;
 }
 
 }  // namespace rollres

@@ -13,8 +13,7 @@ constexpr std::array<std::string_view, 8> of_models{"stiffening",       "creep_t
 
 bool is_idle(const MaterialInputs& layer, std::string_view key) {
   if (find_name(of_models, key) >= 0) return find_name(needed_inputs(layer.material), key) < 0;
-  if (key == "listed_moduli")
-    return layer.material != MaterialModel::prony && layer.material != MaterialModel::master_curve;
+  if (key == "listed_moduli") return layer.material != MaterialModel::prony && !is_measured_curve(layer.material);
   if (key.starts_with("payne_")) return layer.payne_drop == 0 && layer.payne_loss_peak == 1;
   if (key.starts_with("sweep_")) return layer.sweep_strains.empty();
   if (key.starts_with("yeoh_")) return layer.yeoh_second == 0 && layer.yeoh_third == 0;

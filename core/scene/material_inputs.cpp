@@ -52,6 +52,16 @@ void check_frequencies(const MaterialInputs& layer, Lines& lines) {
     lines.push_back("frequencies: must have at least two different values");
 }
 
+void check_relaxation(const MaterialInputs& layer, Lines& lines) {
+  if (layer.material != MaterialModel::relaxation_curve) return;
+  const auto& times = layer.relaxation_times;
+  if (!times.empty() && std::all_of(times.begin(), times.end(), [&](double time) { return time == times.front(); }))
+    lines.push_back("relaxation_times: must have at least two different values");
+  for (std::size_t i = 0; i < layer.relaxation_moduli.size(); ++i)
+    if (layer.relaxation_moduli[i] == 0)
+      lines.push_back(broken("relaxation_moduli[" + std::to_string(i) + "]", 0, "must be > 0 in a relaxation_curve"));
+}
+
 void check_modulus(const MaterialInputs& layer, Lines& lines) {
   const bool shear = layer.static_shear_modulus.has_value(), young = layer.static_young_modulus.has_value();
   if (shear != young || (!shear && !needs_static_modulus(layer.material))) return;
@@ -177,6 +187,7 @@ std::vector<std::string_view> needed_inputs(MaterialModel material) {
     case MaterialModel::fractional_zener:
       return {"stiffening", "creep_time", "fractional_order"};
     case MaterialModel::prony:
+    case MaterialModel::relaxation_curve:
       return {"relaxation_times", "relaxation_moduli"};
     case MaterialModel::master_curve:
       return {"frequencies", "storage_moduli", "loss_moduli"};
@@ -191,6 +202,7 @@ std::vector<std::string> check_material(const MaterialInputs& layer) {
   check_modulus(layer, lines);
   check_lists(layer, lines);
   check_frequencies(layer, lines);
+  check_relaxation(layer, lines);
   check_temperature(layer, lines);
   check_softening(layer, lines);
   check_yeoh(layer, lines);

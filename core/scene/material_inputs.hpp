@@ -14,12 +14,13 @@ enum class MaterialModel {
   elastic,           ///< G0
   prony,             ///< G0 and a list of relaxation times and moduli (generalised Maxwell solid)
   fractional_zener,  ///< G0, f, tau and the order of its spring-pot
-  master_curve       ///< a table of storage and loss moduli
+  master_curve,      ///< a table of storage and loss moduli
+  relaxation_curve   ///< a table of relaxation moduli G(t) at relaxation_times, to which a Prony series is fitted
 };
 template <>
 struct ChoiceNames<MaterialModel> {
-  static constexpr std::array<std::string_view, 5> names{"zener", "elastic", "prony", "fractional_zener",
-                                                         "master_curve"};
+  static constexpr std::array<std::string_view, 6> names{"zener",        "elastic",         "prony", "fractional_zener",
+                                                         "master_curve", "relaxation_curve"};
 };
 
 /// What the moduli in a layer's lists are: G, or E = 2 (1 + nu) G.
@@ -55,7 +56,7 @@ struct MaterialInputs {
   double stiffening = 0;                       // f = G'(infinity)/G'(0) - 1 [1]
   double creep_time = 0;                       // tau [s]
   double fractional_order = 1;                 // [1]
-  std::vector<double> relaxation_times;        // [s], of a Prony series
+  std::vector<double> relaxation_times;        // [s], of a Prony series, or of the rows of a relaxation curve
   std::vector<double> relaxation_moduli;       // [Pa], as many
   std::vector<double> frequencies;             // [Hz], of a master curve, at the reference temperature
   std::vector<double> storage_moduli;          // G' or E' [Pa], as many
@@ -102,8 +103,11 @@ void visit_material_inputs(Inputs& layer, Visitor&& visitor) {
             "order of the spring-pot of a fractional Zener solid; 1: a dashpot",
             {.lowest = 0.0, .highest = 1.0, .lowest_excluded = true}},
           layer.fractional_order);
-  visitor(Q{"relaxation_times", "τ_j", "s", "relaxation times of a Prony series", positive}, layer.relaxation_times);
-  visitor(Q{"relaxation_moduli", "g_j", "Pa", "moduli of a Prony series: G(t) = G0 + Σ g_j e^(-t/τ_j)", not_negative},
+  visitor(Q{"relaxation_times", "τ_j", "s", "relaxation times of a Prony series; times of a relaxation_curve's rows",
+            positive},
+          layer.relaxation_times);
+  visitor(Q{"relaxation_moduli", "g_j", "Pa",
+            "moduli of a Prony series, G(t) = G0 + Σ g_j e^(-t/τ_j); G(t) of a relaxation_curve", not_negative},
           layer.relaxation_moduli);
   visitor(Q{"frequencies", "", "Hz", "frequencies of a master curve", positive}, layer.frequencies);
   visitor(Q{"storage_moduli", "G'", "Pa", "storage moduli of a master curve", positive}, layer.storage_moduli);
@@ -166,8 +170,13 @@ void visit_material_inputs(Inputs& layer, Visitor&& visitor) {
 /// The inputs that a material cannot do without, beside the modulus at rest.
 std::vector<std::string_view> needed_inputs(MaterialModel material);
 
+/// Whether a material is a table of measured values that a Prony series is fitted to.
+inline bool is_measured_curve(MaterialModel material) {
+  return material == MaterialModel::master_curve || material == MaterialModel::relaxation_curve;
+}
+
 /// Whether a material needs static_shear_modulus or static_young_modulus.
-inline bool needs_static_modulus(MaterialModel material) { return material != MaterialModel::master_curve; }
+inline bool needs_static_modulus(MaterialModel material) { return !is_measured_curve(material); }
 
 /// Whether a shift law, or a table of a_T or b_T, says what the temperature does.
 bool has_shift(const MaterialInputs& layer);

@@ -8,6 +8,7 @@
 #include "core/estimate/assumptions.hpp"
 #include "core/estimate/composite_estimate.hpp"
 #include "core/finite_strain/finite_strain_contact.hpp"
+#include "core/material/master_curve.hpp"
 #include "core/material/material_scale.hpp"
 #include "core/messages/message_text.hpp"
 #include "core/model/scene_rules.hpp"
@@ -89,8 +90,9 @@ struct AskedOfTable {
 AskedOfTable asked_of_tables(const ContactModel& model, double contact_frequency) {
   AskedOfTable farthest;
   for (const ModelLayer* const layer : model.layers()) {
-    if (layer->material != MaterialModel::master_curve) continue;
-    const auto [lowest, highest] = std::minmax_element(layer->frequencies.begin(), layer->frequencies.end());
+    if (!is_measured_curve(layer->material)) continue;
+    const std::vector<double> rows = measured_curve(*layer).frequencies;
+    const auto [lowest, highest] = std::minmax_element(rows.begin(), rows.end());
     const double shift = time_shift(*layer);
     const AskedOfTable asked{shift * contact_frequency, shift, *lowest, *highest, layer->temperature.value_or(0)};
     if (farthest.frequency == 0 || asked.outside() > farthest.outside()) farthest = asked;

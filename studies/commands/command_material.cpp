@@ -9,6 +9,7 @@
 #include "studies/figures/material_chart.hpp"
 #include "studies/figures/material_export.hpp"
 #include "studies/program/commands.hpp"
+#include "studies/scene_io/master_curve_file.hpp"
 #include "studies/scene_io/scene_file.hpp"
 #include "studies/text/readable_number.hpp"
 #include "studies/text/table_output.hpp"
@@ -33,8 +34,26 @@ Table moduli_table(const CreepSpectrum& creep, int per_decade) {
   return table;
 }
 
-void print_words(std::ostream& out, const MaterialInputs& layer, const CreepSpectrum& creep) {
+/// What was understood of the tables that a scene names, one line each.
+std::vector<std::string> tables_in_words(const MaterialArguments& arguments) {
+  std::vector<std::string> words;
+  const Json object = read_object(arguments.scene);
+  for (const std::string_view key : table_keys) {
+    std::filesystem::path file;
+    if (const auto named = object.find(std::string(key)); named != object.end() && named->is_string())
+      file = std::filesystem::path(arguments.scene).parent_path() / named->get<std::string>();
+    const std::string set = std::string(key) + '=';
+    for (const std::string& override : arguments.overrides)
+      if (override.starts_with(set)) file = override.substr(set.size());
+    if (!file.empty()) words.push_back(read_measured_table(file).in_words());
+  }
+  return words;
+}
+
+void print_words(std::ostream& out, const MaterialArguments& arguments, const MaterialInputs& layer,
+                 const CreepSpectrum& creep) {
   out << "material     " << name_of(layer.material) << '\n';
+  for (const std::string& table : tables_in_words(arguments)) out << "table        " << table << '\n';
   if (const std::string route = material_route(layer); !route.empty()) out << "route        " << route << '\n';
   for (const std::string& warning : material_warnings(layer)) out << "warning      " << warning << '\n';
   out << "at rest      G = " << readable(1 / creep.at_rest(), "Pa") << '\n'
@@ -72,7 +91,7 @@ void run_material(const MaterialArguments& arguments, Session& session) {
   const CreepSpectrum& creep = *found;
   const bool exports = std::count(material_export_formats.begin(), material_export_formats.end(), arguments.format) > 0;
   if (arguments.format == "table") {
-    print_words(session.out, scene, creep);
+    print_words(session.out, arguments, scene, creep);
     session.out << '\n';
   }
   if (exports)

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <numbers>
 
+#include "core/material/master_curve.hpp"
 #include "core/material/material_functions.hpp"
 #include "core/material/material_scale.hpp"
 #include "studies/text/readable_number.hpp"
@@ -15,17 +16,16 @@ constexpr double turn = 2 * std::numbers::pi;
 
 /// The rows of a layer's table as they act at its temperature; none of other materials.
 struct ActingRows {
-  std::vector<double> frequencies, storage, loss;                        ///< [Hz], [Pa]
+  std::vector<double> frequencies, storage, loss;  ///< [Hz], [Pa]; of relaxation G(t) at 1/(2 pi t), and no loss
   double lowest = 0, highest = std::numeric_limits<double>::infinity();  ///< frequency
 
   explicit ActingRows(const MaterialInputs& layer) {
-    if (layer.material != MaterialModel::master_curve) return;
+    if (!is_measured_curve(layer.material)) return;
     const double shift = time_shift(layer), scale = modulus_shift(layer);
-    for (std::size_t row = 0; row < layer.frequencies.size(); ++row) {
-      frequencies.push_back(layer.frequencies[row] / shift);
-      storage.push_back(as_shear(layer, layer.storage_moduli[row]) / scale);
-      loss.push_back(as_shear(layer, layer.loss_moduli[row]) / scale);
-    }
+    const MasterCurve curve = measured_curve(layer);
+    for (const double frequency : curve.frequencies) frequencies.push_back(frequency / shift);
+    for (const double modulus : curve.storage) storage.push_back(modulus / scale);
+    for (const double modulus : curve.loss) loss.push_back(modulus / scale);
     const auto [least, most] = std::minmax_element(frequencies.begin(), frequencies.end());
     lowest = *least, highest = *most;
   }
@@ -93,7 +93,7 @@ ChartRequest moduli_chart(const MaterialInputs& layer, const std::string& title)
     loss.points.push_back({frequency, modulus.imag()});
   }
   add_curves(request, {storage, loss}, rows.lowest, rows.highest);
-  if (rows.frequencies.empty()) return request;
+  if (rows.loss.empty()) return request;
   request.subtitle = "marks: the table's rows";
   for (const auto& [curve, moduli] : {std::pair(0, &rows.storage), std::pair(1, &rows.loss)}) {
     ChartCurve marks{.label = "table", .points = {}, .like = curve, .line = false};
@@ -119,6 +119,12 @@ ChartRequest creep_chart(const MaterialInputs& layer, const std::string& title) 
   }
   add_curves(request, {creeping, relaxing}, time(rows.highest),
              rows.lowest > 0 ? time(rows.lowest) : std::numeric_limits<double>::infinity());
+  if (rows.frequencies.empty() || !rows.loss.empty()) return request;
+  request.subtitle = "marks: the table's rows";
+  ChartCurve marks{.label = "table", .points = {}, .like = 1, .line = false};
+  for (std::size_t row = 0; row < rows.storage.size(); ++row)
+    marks.points.push_back({time(rows.frequencies[row]), rows.storage[row] / unit.factor});
+  request.curves.push_back(std::move(marks));
   return request;
 }
 

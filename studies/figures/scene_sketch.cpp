@@ -47,6 +47,8 @@ std::string material_in_words(const MaterialInputs& layer) {
       return "Prony series of " + std::to_string(layer.relaxation_times.size()) + " terms, " + modulus();
     case MaterialModel::master_curve:
       return "master curve of " + std::to_string(layer.frequencies.size()) + " frequencies";
+    case MaterialModel::relaxation_curve:
+      return "relaxation curve of " + std::to_string(layer.relaxation_times.size()) + " times";
   }
   return {};
 }

@@ -50,7 +50,7 @@ Json joint_rules() {
     Json needed = Json::array(), wanted = Json::array();
     for (const InputKind& kind : input_kinds())
       if (kind.needed_by(model)) needed.push_back(kind.quantity.key);
-    if (model == MaterialModel::master_curve)
+    if (is_measured_curve(model))
       wanted.push_back(either(needed, Json::array({master_curve_key})));
     else if (!needed.empty())
       wanted.push_back({{"required", needed}});

@@ -40,7 +40,8 @@ Json table_texts() {
       {"minLength", 1},
       {"description",
        "CSV file with the lists of a master curve, relative to this file: frequency [Hz], "
-       "storage_modulus [Pa], loss_modulus [Pa]"}};
+       "storage_modulus [Pa], loss_modulus [Pa]; or of a relaxation or creep test: time [s], relaxation_modulus [Pa] "
+       "or creep_compliance [1/Pa]"}};
   texts[std::string(strain_sweep_key)] = {
       {"type", "string"},
       {"minLength", 1},

@@ -167,6 +167,7 @@ MaterialFile read_material_fit(const std::filesystem::path& file) {
   fit.options.free_shifts = fit.options.shift.law == ShiftLaw::table && fit.options.shift.table.temperatures.empty();
   fit.data_digest = digest(text);
   table.leave_out(names_or_none(object, std::string(ignored_columns_key), place));
+  fit.notes.push_back(table.in_words());
   const ListedModuli listed =
       said_moduli(take_modulus_names(table), given_listed_moduli(object, place), name, storage_modulus_key, place);
   const double share = listed == ListedModuli::young ? 1.0 / 3 : 1;

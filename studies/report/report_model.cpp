@@ -1,5 +1,6 @@
 #include <algorithm>
 
+#include "core/material/master_curve.hpp"
 #include "studies/figures/material_chart.hpp"
 #include "studies/report/html.hpp"
 #include "studies/report/report_sections.hpp"
@@ -35,12 +36,10 @@ std::vector<RollingScene> scenes_of_curves(const ReportSource& source) {
   const std::vector<std::string> keys = source.store.points(source.study.name);
   for (std::size_t i = 0; i < keys.size() && found.size() < most_curves_shown; i += 1 + keys.size() / most_points) {
     const auto answer = source.store.find(keys[i]);
-    if (!answer || answer->scene.frequencies.empty()) continue;
+    if (!answer || !is_measured_curve(answer->scene.material)) continue;
     const RollingScene& scene = answer->scene;
-    if (std::none_of(found.begin(), found.end(), [&](const RollingScene& other) {
-          return other.frequencies == scene.frequencies && other.storage_moduli == scene.storage_moduli &&
-                 other.loss_moduli == scene.loss_moduli;
-        }))
+    if (std::none_of(found.begin(), found.end(),
+                     [&](const RollingScene& other) { return measured_curve(other) == measured_curve(scene); }))
       found.push_back(scene);
   }
   return found;
@@ -52,7 +51,8 @@ PictureSection master_curve_section(const ReportSource& source) {
   std::vector<std::pair<std::string, ChartRequest>> charts;
   for (MaterialInputs layer : scenes_of_curves(source)) {
     layer.temperature.reset();  // a study may vary it
-    const std::string words = "The master curve of the layer, " + std::to_string(layer.frequencies.size()) + " values";
+    const std::string words =
+        "The master curve of the layer, " + std::to_string(measured_curve(layer).frequencies.size()) + " values";
     charts.emplace_back(words, moduli_chart(layer, title_of_study(source.definition, source.study.name)));
     charts.back().second.subtitle += ", at the reference temperature";
   }

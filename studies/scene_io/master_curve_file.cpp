@@ -3,8 +3,10 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <numeric>
 #include <stdexcept>
 
+#include "core/material/creep_rows.hpp"
 #include "studies/scene_io/doubtful_number.hpp"
 #include "studies/scene_io/scene_inputs.hpp"
 
@@ -30,7 +32,7 @@ struct ModulusName {
   std::string_view written, plain;
   ListedModuli said;
 };
-constexpr std::array<ModulusName, 18> modulus_names{
+constexpr std::array<ModulusName, 20> modulus_names{
     {{"storage_shear_modulus", "storage_modulus", ListedModuli::shear},
      {"loss_shear_modulus", "loss_modulus", ListedModuli::shear},
      {"G'", "storage_modulus", ListedModuli::shear},
@@ -45,6 +47,8 @@ constexpr std::array<ModulusName, 18> modulus_names{
      {"E\"", "loss_modulus", ListedModuli::young},
      {"E′", "storage_modulus", ListedModuli::young},
      {"E″", "loss_modulus", ListedModuli::young},
+     {"complex_shear_modulus", "complex_modulus", ListedModuli::shear},
+     {"complex_young_modulus", "complex_modulus", ListedModuli::young},
      {"relaxation_shear_modulus", "relaxation_modulus", ListedModuli::shear},
      {"relaxation_young_modulus", "relaxation_modulus", ListedModuli::young},
      {"shear_creep_compliance", "creep_compliance", ListedModuli::shear},
@@ -55,6 +59,50 @@ std::string name_that_says(std::string_view plain, ListedModuli said) {
   const auto found = std::find_if(modulus_names.begin(), modulus_names.end(),
                                   [&](const ModulusName& name) { return name.plain == plain && name.said == said; });
   return std::string(found->written);
+}
+
+void drop(MeasuredTable& table, std::string_view name) {
+  std::erase_if(table.columns, [&](const MeasuredColumn& column) { return column.name == name; });
+}
+
+/// A loss tangent in place of a phase angle.
+void take_phase_angle(MeasuredTable& table) {
+  const MeasuredColumn* const angle = table.find("phase_angle");
+  if (!angle) return;
+  if (!table.find("loss_tangent") && !table.find("tan_delta")) {
+    constexpr Range acute{.lowest = 0, .highest = 0.99999 * std::numbers::pi / 2, .lowest_excluded = true};
+    MeasuredColumn tangent{"loss_tangent", "1", {}, {}, name_in_file(*angle)};
+    tangent.cells = angle->cells;
+    tangent.values = measured_numbers(table, *angle, "rad", acute, "must be above 0 and below 90 deg");
+    for (double& value : tangent.values) value = std::tan(value);
+    table.columns.push_back(std::move(tangent));
+  }
+  drop(table, "phase_angle");
+}
+
+/// Storage and loss modulus in place of |G*| and the loss tangent; beside other moduli |G*| says nothing.
+void take_complex_modulus(MeasuredTable& table) {
+  const MeasuredColumn* const complex = table.find("complex_modulus");
+  if (!complex) return;
+  if (!table.find("storage_modulus") && !table.find("loss_modulus")) {
+    const std::string key = table.find("tan_delta") ? "tan_delta" : "loss_tangent";
+    if (!table.find(key))
+      throw std::invalid_argument(table.file + ": " + name_in_file(*complex) +
+                                  " needs a column beside it: tan_delta or phase_angle [deg]");
+    MeasuredColumn storage{"storage_modulus", "Pa", complex->cells, measured_numbers(table, *complex, "Pa", positive),
+                           name_in_file(*complex)};
+    const std::vector<double> tangents = measured_numbers(table, table.needed(key), "1", positive);
+    MeasuredColumn loss = storage;
+    loss.name = "loss_modulus";
+    for (std::size_t row = 0; row < tangents.size(); ++row) {
+      storage.values[row] /= std::hypot(1, tangents[row]);
+      loss.values[row] = storage.values[row] * tangents[row];
+    }
+    drop(table, key);
+    table.columns.push_back(std::move(storage));
+    table.columns.push_back(std::move(loss));
+  }
+  drop(table, "complex_modulus");
 }
 
 }  // namespace
@@ -77,6 +125,8 @@ std::optional<ListedModuli> take_modulus_names(MeasuredTable& table) {
     if (column.written.empty()) column.written = column.name;
     column.name = found->plain;
   }
+  take_phase_angle(table);
+  take_complex_modulus(table);
   return said;
 }
 
@@ -118,13 +168,78 @@ MeasuredModuli measured_moduli(const MeasuredTable& table, const Range& loss_ran
   return moduli;
 }
 
+namespace {
+
+bool is_over_time(const MeasuredTable& table) {
+  return table.find("relaxation_modulus") || table.find("creep_compliance");
+}
+
+/// Refuses a row that is beyond the extreme of those before it in time by more than noise explains.
+/// @param sign  1 of a modulus, which falls, -1 of a compliance, which rises
+void refuse_against_time(const MeasuredTable& table, const MeasuredColumn& column, const std::vector<double>& times,
+                         const std::vector<double>& values, int sign) {
+  constexpr double noise = 0.05;
+  std::vector<std::size_t> order(times.size());
+  std::iota(order.begin(), order.end(), 0U);
+  std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return times[a] < times[b]; });
+  std::size_t extreme = order.front();
+  for (const std::size_t row : order) {
+    if (sign * std::log(values[row] / values[extreme]) > noise)
+      throw std::invalid_argument(table.place(row) + ": " + heading(column) + " = " + column.cells[row] +
+                                  (sign > 0 ? ": a relaxation modulus must not rise with time, as it does from "
+                                            : ": a creep compliance must not fall with time, as it does from ") +
+                                  column.cells[extreme] + " in line " + std::to_string(table.lines[extreme]) +
+                                  (times[row] == times[extreme] ? ", at the same time" : ""));
+    if (sign * values[row] < sign * values[extreme]) extreme = row;
+  }
+}
+
+/// Takes the temperature of all rows away. @throws std::invalid_argument if they have several
+void refuse_temperatures(MeasuredTable& table) {
+  constexpr double one = 1;  // [K]
+  const MeasuredColumn* const column = table.find("temperature");
+  if (!column) return;
+  const std::vector<double> all = measured_numbers(table, *column, "K", positive);
+  for (std::size_t row = 0; row < all.size(); ++row)
+    if (std::abs(all[row] - all.front()) > one)
+      throw std::invalid_argument(table.place(row) + ": " + heading(*column) + " = " + column->cells[row] +
+                                  ": a master curve is at one temperature, and the first row is at " +
+                                  column->cells.front() +
+                                  "; \"rollres fit\" with \"shift\": \"free\" makes one of rows at several");
+  drop(table, "temperature");
+}
+
+/// The lists of a relaxation_curve.
+Json lists_over_time(const MeasuredTable& table) {
+  table.refuse_others(relaxation_columns);
+  const MeasuredColumn *const modulus = table.find("relaxation_modulus"), *const compliance =
+                                                                              table.find("creep_compliance");
+  if (modulus && compliance)
+    throw std::invalid_argument(table.file + ": give " + name_in_file(*modulus) + " or " + name_in_file(*compliance) +
+                                ", not both: each row is of relaxation or of creep; ignore_columns leaves one out");
+  const MeasuredColumn& column = modulus ? *modulus : *compliance;
+  const std::vector<double> times = measured_numbers(table, table.needed("time"), "s", positive),
+                            values = measured_numbers(table, column, modulus ? "Pa" : "1/Pa", positive);
+  refuse_against_time(table, column, times, values, modulus ? 1 : -1);
+  return {{"material", std::string(name_of(MaterialModel::relaxation_curve))},
+          {"relaxation_times", times},
+          {"relaxation_moduli", modulus ? values : relaxation_of_creep(times, values)}};
+}
+
+}  // namespace
+
 Json read_master_curve(const std::filesystem::path& file, const std::vector<std::string>& ignored) {
   MeasuredTable table = read_measured_table(file);
   table.leave_out(ignored);
   const std::optional<ListedModuli> said = take_modulus_names(table);
-  table.refuse_others(modulus_columns);
-  Json lists;
+  const bool over_time = is_over_time(table);
+  if (!over_time) {
+    refuse_temperatures(table);
+    table.refuse_others(modulus_columns);
+  }
+  Json lists = over_time ? lists_over_time(table) : Json();
   if (said) lists[std::string(listed_moduli_key)] = std::string(name_of(*said));
+  if (over_time) return lists;
   lists["frequencies"] = measured_frequencies(table);
   const MeasuredModuli moduli =
       measured_moduli(table, not_negative, not_negative.rule() + ": no passive material gives energy back");
@@ -175,6 +290,8 @@ namespace {
 /// One part of a scene with the lists of its own tables.
 Json with_own_tables(const Json& object, const std::filesystem::path& folder, const std::string& place) {
   const auto named = [&](std::string_view key) { return object.is_object() && object.contains(std::string(key)); };
+  const std::string material = "material";
+  const bool is_curve = named(material) && object[material] == name_of(MaterialModel::master_curve);
   if (std::none_of(table_keys.begin(), table_keys.end(), named)) return object;
   const std::vector<std::string> ignored = names_or_none(object, std::string(ignored_columns_key), place);
   Json complete = Json::object();
@@ -190,9 +307,13 @@ Json with_own_tables(const Json& object, const std::filesystem::path& folder, co
     if (lists.contains(said) && named(said) && object[said] != lists[said])
       refuse(place, said, object[said],
              "the columns of " + name.template get<std::string>() + " say " + lists[said].template get<std::string>());
-    for (const auto& [input, list] : lists.items())  // tables tell the units of all their numbers
+    for (const auto& [input, list] : lists.items()) {  // tables tell the units of all their numbers
+      if (input == material && named(material) && !is_curve) continue;
+      if (list.is_array() && named(input))
+        refuse(place, input, object[input], "is in the " + std::string(file_key) + "; give one of them");
       complete[input] =
           list.is_array() ? written_input(find_input(input)->quantity, list.template get<std::vector<double>>()) : list;
+    }
   };
   for (const auto& [key, value] : object.items())
     if (key == master_curve_key)
@@ -201,7 +322,7 @@ Json with_own_tables(const Json& object, const std::filesystem::path& folder, co
       add_lists(strain_sweep_key, strain_sweep_inputs, read_strain_sweep);
     else if (key == shift_table_key)
       add_lists(shift_table_key, shift_table_inputs, read_shift_table);
-    else if (key != ignored_columns_key)
+    else if (key != ignored_columns_key && !(key == material && is_curve && complete.contains(key)))
       complete[key] = value;
   return complete;
 }

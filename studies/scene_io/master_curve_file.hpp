@@ -4,9 +4,16 @@
 /// sources only: it needs nlohmann_json.
 ///
 /// Columns: frequency [Hz] or angular_frequency [rad/s]; two of storage_modulus [Pa], loss_modulus [Pa] and
-/// loss_tangent [1] (or tan_delta), of all three the moduli count; note. Whether the moduli are G or E is said by their
-/// names (storage_shear_modulus or G', storage_young_modulus or E', loss_... or G'', E'') or by the key
-/// `listed_moduli`. Others are refused unless the key `ignore_columns`, a list of names, leaves them out.
+/// loss_tangent [1] (or tan_delta), of all three the moduli count; or complex_modulus [Pa] (|G*|, |E*|) and
+/// loss_tangent; a phase_angle [deg] may stand for the tangent; temperature [degC], if all rows are at one; note.
+/// Whether the moduli are G or E is said by their names (storage_shear_modulus or G', storage_young_modulus or E',
+/// loss_... or G'', E'') or by the key `listed_moduli`. Others are refused unless the key `ignore_columns`, a list of
+/// names, leaves them out.
+///
+/// Or the modulus of a relaxation or the compliance of a creep test over time, a relaxation_curve: time [s] (or t);
+/// relaxation_modulus [Pa] or creep_compliance [1/Pa], G or E as their names say (relaxation_shear_modulus or G(t),
+/// relaxation_young_modulus or E(t), shear_creep_compliance or J(t), tensile_creep_compliance or D(t)) or the key;
+/// note.
 ///
 /// Likewise the table of a strain sweep at one frequency and temperature: {"strain_sweep_file": "sweep.csv"}, with the
 /// columns strain [1] or [%], in rising order, and moduli as above; of the moduli only ratios to the first row count.
@@ -36,6 +43,7 @@ inline constexpr std::string_view shift_table_key = "shift_table_file";
 inline constexpr std::array<std::string_view, 3> table_keys{master_curve_key, strain_sweep_key, shift_table_key};
 inline constexpr std::string_view ignored_columns_key = "ignore_columns";
 inline constexpr std::array<std::string_view, 3> master_curve_inputs{"frequencies", "storage_moduli", "loss_moduli"};
+inline constexpr std::array<std::string_view, 2> relaxation_inputs{"relaxation_times", "relaxation_moduli"};
 inline constexpr std::array<std::string_view, 3> strain_sweep_inputs{"sweep_strains", "sweep_storage_moduli",
                                                                      "sweep_loss_moduli"};
 
@@ -55,8 +63,8 @@ inline constexpr std::array<std::string_view, 7> modulus_columns{
 
 inline constexpr std::string_view listed_moduli_key = "listed_moduli";
 
-/// Gives columns of moduli the names without G or E ("storage_modulus" for "E'"). What their names said; nothing if all
-/// were without.
+/// Gives columns of moduli the names without G or E ("storage_modulus" for "E'"), and puts storage and loss in place of
+/// a complex modulus with its angle. What their names said; nothing if all were without.
 /// @throws std::invalid_argument if they say both, or if one modulus has two columns
 std::optional<ListedModuli> take_modulus_names(MeasuredTable& table);
 
@@ -77,8 +85,11 @@ struct MeasuredModuli {
 /// @throws std::invalid_argument naming file, line, column, value and rule
 MeasuredModuli measured_moduli(const MeasuredTable& table, const Range& loss_range, const std::string& rule = {});
 
+inline constexpr std::array<std::string_view, 4> relaxation_columns{"time", "relaxation_modulus", "creep_compliance",
+                                                                    "note"};
+
 /// The lists of a table under the keys of inputs, in SI, rows in the order of the file; listed_moduli, if the names of
-/// the columns say it.
+/// the columns say it; and the material, where it is a relaxation_curve.
 /// @throws std::invalid_argument naming file, line, column, value and rule
 /// @param ignored  columns that are left out
 /// @throws std::runtime_error if the file cannot be read

@@ -119,13 +119,16 @@ std::string given_again(const std::string& key) {
 /// Refuses moduli of which nothing says whether they are G or E; those beside G0 are G.
 /// @param given  whether there is an input of this key   @param layer  in front of the key of a further layer
 template <class Given>
-void refuse_unsaid_moduli(const Given& given, const std::string& layer, const std::string& place) {
+void refuse_unsaid_moduli(const Given& given, MaterialModel material, const std::string& layer,
+                          const std::string& place) {
   if (given(listed_moduli_key)) return;
   const std::string series = "relaxation_moduli";
   if (given(storage_moduli_key))
     throw std::invalid_argument(place + ": " + layer + unsaid_moduli(std::string(storage_moduli_key)));
   if (given(series) && given("static_young_modulus"))
     throw std::invalid_argument(place + ": " + layer + unsaid_moduli(series + " beside static_young_modulus", ""));
+  if (material == MaterialModel::relaxation_curve)
+    throw std::invalid_argument(place + ": " + layer + unsaid_moduli(series, "relaxation_modulus"));
 }
 
 /// The entry of this key, or the end.
@@ -152,7 +155,8 @@ BondedLayer layer_of_object(const SceneEntry& owner, const Json& object) {
     if ((kind.needed_by_all() || kind.needed_by(layer.material)) && find_name(given, kind.quantity.key) < 0)
       throw std::invalid_argument(owner.place + ": " + owner.key + "." + std::string(kind.quantity.key) +
                                   " is missing: this layer needs it (" + std::string(kind.quantity.unit) + ")");
-  refuse_unsaid_moduli([&](std::string_view key) { return find_name(given, key) >= 0; }, owner.key + ".", owner.place);
+  refuse_unsaid_moduli([&](std::string_view key) { return find_name(given, key) >= 0; }, layer.material,
+                       owner.key + ".", owner.place);
   return layer;
 }
 
@@ -276,7 +280,8 @@ RollingScene unchecked_scene_from(const std::vector<SceneEntry>& entries, const 
   // Nothing is cleared here, so that `check` sees two inputs that exclude each other.
   for (const SceneEntry& entry : entries) assign_input(scene, entry.key, input_value(entry, body));
   refuse_missing(entries, scene, place);
-  refuse_unsaid_moduli([&](std::string_view key) { return value_given(entries, key) != nullptr; }, "", place);
+  refuse_unsaid_moduli([&](std::string_view key) { return value_given(entries, key) != nullptr; }, scene.material, "",
+                       place);
   return scene;
 }
 

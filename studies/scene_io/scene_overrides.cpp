@@ -24,7 +24,7 @@ std::vector<std::string_view> replaced_by(const SceneEntry& entry) {
   const InputValue value = entry.value.is_string() ? InputValue(entry.value.get<std::string>()) : InputValue(0.0);
   std::vector<std::string_view> replaced = replaced_inputs(entry.key, value);
   const std::string_view own = own_key(entry.key);
-  if (own == master_curve_inputs[1])
+  if (own == master_curve_inputs[1] || own == relaxation_inputs[1])
     if (const InputKind* const said =
             find_input(entry.key.substr(0, entry.key.size() - own.size()) + std::string(listed_moduli_key)))
       replaced.push_back(said->quantity.key);

@@ -6,6 +6,7 @@
 #include <stdexcept>
 
 #include "studies/text/files.hpp"
+#include "studies/text/readable_number.hpp"
 #include "studies/text/strict_json.hpp"
 #include "studies/text/table_heading.hpp"
 #include "studies/text/units.hpp"
@@ -134,8 +135,36 @@ void take_decimal_commas(MeasuredTable& table) {
         with_dot = cell;
       }
     }
+  table.decimal_commas = !with_comma.empty();
   if (!with_comma.empty() && !with_dot.empty())
     fail(with_comma, "has a decimal comma, and " + with_dot + " a point: write all with points");
+}
+
+/// Where two names that instruments give stand beside each other, without a number: number of the line, or 0.
+int line_of_known_names(const std::string& text) {
+  constexpr int most_lines = 1000;  // that stand above a table
+  std::istringstream lines(text);
+  int number = 0;
+  for (std::string line; number < most_lines && std::getline(lines, line);) {
+    ++number;
+    int known = 0;
+    bool numbers = false;
+    try {
+      for (const std::string& cell : cells_of(line, separator_of(line), "")) {
+        numbers = numbers || plain_number(cell);
+        known += !cell.empty() && is_measured_name(table_heading(cell).name);
+      }
+    } catch (const std::invalid_argument&) {  // no line of names
+      continue;
+    }
+    if (known >= 2 && !numbers && trimmed(line).front() != '#') return number;
+  }
+  return 0;
+}
+
+bool is_text(const std::vector<std::string>& cells) {
+  return std::none_of(cells.begin(), cells.end(),
+                      [](const std::string& cell) { return plain_number(cell) || with_point(cell); });
 }
 
 /// Takes the line of names. @return how many columns at its end have no name
@@ -155,9 +184,12 @@ void take_row(MeasuredTable& table, std::vector<std::string> cells, std::size_t 
   for (std::size_t i = 0; i < nameless && cells.size() > table.columns.size() && cells.back().empty(); ++i)
     cells.pop_back();
   if (cells.size() != table.columns.size())
-    fail(line_place(table.file, number), std::to_string(cells.size()) + " cells where the first line names " +
-                                             std::to_string(table.columns.size()) + " columns" +
-                                             (table.columns.size() == 1 ? "; lines above the table begin with #" : ""));
+    fail(line_place(table.file, number),
+         std::to_string(cells.size()) + " cells where the first line names " + std::to_string(table.columns.size()) +
+             " columns" +
+             (table.columns.size() == 1 ? "; no line has two names that are known, as \"frequency [Hz];E' "
+                                          "[MPa];E'' [MPa]\", apart by tabs, semicolons or commas"
+                                        : ""));
   if (table.lines.empty() && is_row_of_units(table, cells)) {
     for (std::size_t i = 0; i < cells.size(); ++i)
       table.columns[i].unit = cells[i].empty() ? "" : table_heading("x [" + without_brackets(cells[i]) + "]").unit;
@@ -167,7 +199,70 @@ void take_row(MeasuredTable& table, std::vector<std::string> cells, std::size_t 
   table.lines.push_back(number);
 }
 
+/// The lines of a table from that of the names on.
+struct TableLines {
+  MeasuredTable& table;
+  std::optional<char> separator = {};
+  std::size_t nameless = 0;
+  std::string names = {}, units = {};
+  int aside = 0;                         // where what stands between two blocks begins
+  std::vector<std::string> beside = {};  // its cells
+
+  void take(const std::string& line, const std::string& content, int number) {
+    const std::string place = line_place(table.file, number);
+    if (table.columns.empty()) {
+      if (!separator) separator = separator_of(line);
+      names = content;
+      table.line_of_names = number;
+      nameless = take_names(table, cells_of(line, *separator, place), place);
+    } else if (content == names || content == units) {  // of another block
+      aside = 0;
+    } else if (aside > 0) {
+      ++table.passed_over;
+    } else {
+      take_cells(cells_of(line, *separator, place), content, number);
+    }
+  }
+
+  void take_cells(const std::vector<std::string>& cells, const std::string& content, int number) {
+    const std::size_t before = table.lines.size();
+    if (before > 0 && cells.size() != table.columns.size() && is_text(cells)) {
+      if (aside == 0) aside = number, beside = cells;
+      ++table.passed_over;
+      return;
+    }
+    take_row(table, cells, nameless, number);
+    if (before == 0 && table.lines.empty()) units = content;
+  }
+
+  void finish() {
+    if (table.lines.empty()) fail(table.file, "has no row of measured values");
+    if (aside > 0) take_row(table, beside, nameless, aside);  // no further block: it is refused
+  }
+};
+
+/// "-40 to 60 degC" of a table that has temperatures.
+std::string temperatures_of(const MeasuredTable& table) {
+  const MeasuredColumn* const column = table.find("temperature");
+  if (!column || column->unit.empty()) return "";
+  const std::vector<double> all = measured_numbers(table, *column, "K", {});
+  const auto [coldest, warmest] = std::minmax_element(all.begin(), all.end());
+  const std::string from = short_number(celsius().number(*coldest), 4);
+  return "; at " + from + (*coldest < *warmest ? " to " + short_number(celsius().number(*warmest), 4) : "") + " degC";
+}
+
 }  // namespace
+
+std::string MeasuredTable::in_words() const {
+  std::string names;
+  for (const MeasuredColumn& column : columns)
+    names += (names.empty() ? "" : ", ") + column.name + (column.unit.empty() ? "" : " [" + column.unit + "]") +
+             (column.written.empty() ? "" : " (" + column.written + ")");
+  return std::filesystem::path(file).filename().string() + ": " + std::to_string(rows()) + " rows of " + names +
+         "; names in line " + std::to_string(line_of_names) +
+         (passed_over > 0 ? ", lines passed over: " + std::to_string(passed_over) : "") +
+         (decimal_commas ? "; decimal commas" : "") + temperatures_of(*this);
+}
 
 const MeasuredColumn* MeasuredTable::find(std::string_view name) const {
   const auto found =
@@ -230,27 +325,24 @@ MeasuredTable read_measured_table(const std::filesystem::path& file) {
   constexpr std::size_t largest = 100'000'000;  // of measured values
   MeasuredTable table{file.string(), whole_file(file, largest), {}, {}};
   if (table.text.empty()) throw std::runtime_error(table.file + ": cannot be read or is empty");
-  std::istringstream lines(plain_lines(table.text));
-  std::optional<char> separator;
-  std::size_t nameless = 0;
+  const std::string plain = plain_lines(table.text);
+  const int known_names = line_of_known_names(plain);
+  std::istringstream lines(plain);
+  TableLines reading{table};
   int number = 0;
-  std::string names;
   for (std::string line; std::getline(lines, line);) {
     const std::string place = line_place(table.file, ++number);
     if (line.find('\0') != std::string::npos) fail(place, "has a NUL character");
     const std::string content(trimmed(line));
-    if (content.empty() || content.front() == '#' || content == names) continue;        // names again: of another block
-    if (table.columns.empty() && content.starts_with("sep=") && content.size() == 5) {  // for spreadsheets
-      separator = content.back();
-    } else if (table.columns.empty()) {
-      if (!separator) separator = separator_of(line);
-      names = content;
-      nameless = take_names(table, cells_of(line, *separator, place), place);
-    } else {
-      take_row(table, cells_of(line, *separator, place), nameless, number);
-    }
+    if (content.empty() || content.front() == '#') continue;
+    if (table.columns.empty() && content.starts_with("sep=") && content.size() == 5)  // for spreadsheets
+      reading.separator = content.back();
+    else if (number < known_names)
+      ++table.passed_over;
+    else
+      reading.take(line, content, number);
   }
-  if (table.lines.empty()) fail(table.file, "has no row of measured values");
+  reading.finish();
   take_decimal_commas(table);
   return table;
 }

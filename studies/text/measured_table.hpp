@@ -4,8 +4,10 @@
 /// Names and units may stand as instruments write them (table_heading.hpp), units also in a line of their own below the
 /// names. Tabs, semicolons or commas separate cells, the first of these that the line of names has, or what a line
 /// "sep=;" says; numbers have decimal points, or all of them commas. Double quotes may enclose a cell, empty lines and
-/// lines that begin with # are left out, as are the names where they are repeated above a further block. Texts are
-/// UTF-8, or as spreadsheets of Windows write them.
+/// lines that begin with # are left out, as are the names where they are repeated above a further block, and what
+/// stands between the blocks. The names stand in the first line that has two which instruments give (is_measured_name)
+/// and no number, and what is above it is passed over; else in the first line. Texts are UTF-8, or as spreadsheets of
+/// Windows write them.
 
 #include <filesystem>
 #include <functional>
@@ -30,6 +32,9 @@ struct MeasuredTable {
   std::string text;  ///< of the whole file
   std::vector<MeasuredColumn> columns;
   std::vector<int> lines;  ///< where each row stands in the file
+  int line_of_names = 0;   ///< where the names stand
+  int passed_over = 0;     ///< lines above and between that are no part of the table
+  bool decimal_commas = false;
 
   std::size_t rows() const { return lines.size(); }
   /// The column of that name, or nullptr.
@@ -48,6 +53,8 @@ struct MeasuredTable {
   std::vector<std::string> leave_out_others(std::span<const std::string_view> known);
   /// "data.csv, line 7"
   std::string place(std::size_t row) const;
+  /// What was understood: "dma.csv: 12 rows of frequency [Hz] (Frequenz), ...; names in line 9, 8 lines passed over".
+  std::string in_words() const;
 };
 
 /// @throws std::invalid_argument naming file and line: no row, a row with more or fewer cells than names, a quote that

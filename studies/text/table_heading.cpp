@@ -14,7 +14,7 @@ namespace rollres {
 namespace {
 
 /// Names that have letters of both cases, and what instruments call others, in small letters.
-constexpr std::array<std::pair<std::string_view, std::string_view>, 30> usual_headings{
+constexpr std::array<std::pair<std::string_view, std::string_view>, 82> usual_headings{
     {{"a_t", "a_T"},
      {"at", "a_T"},
      {"b_t", "b_T"},
@@ -44,7 +44,91 @@ constexpr std::array<std::pair<std::string_view, std::string_view>, 30> usual_he
      {"tanδ", "tan_delta"},
      {"tandelta", "tan_delta"},
      {"loss_factor", "loss_tangent"},
-     {"tan_d", "tan_delta"}}};
+     {"tan_d", "tan_delta"},
+     {"g(t)", "relaxation_shear_modulus"},
+     {"shear_relaxation_modulus", "relaxation_shear_modulus"},
+     {"e(t)", "relaxation_young_modulus"},
+     {"tensile_relaxation_modulus", "relaxation_young_modulus"},
+     {"young_relaxation_modulus", "relaxation_young_modulus"},
+     {"j(t)", "shear_creep_compliance"},
+     {"creep_shear_compliance", "shear_creep_compliance"},
+     {"d(t)", "tensile_creep_compliance"},
+     {"creep_tensile_compliance", "tensile_creep_compliance"},
+     {"|g*|", "complex_shear_modulus"},
+     {"g*", "complex_shear_modulus"},
+     {"|e*|", "complex_young_modulus"},
+     {"e*", "complex_young_modulus"},
+     {"phase", "phase_angle"},
+     {"loss_angle", "phase_angle"},
+     {"delta", "phase_angle"},
+     {"δ", "phase_angle"},
+     {"oscillation_frequency", "frequency"},
+     {"ang._freq", "angular_frequency"},
+     {"frequenz", "frequency"},
+     {"messfrequenz", "frequency"},
+     {"prüffrequenz", "frequency"},
+     {"kreisfrequenz", "angular_frequency"},
+     {"temperatur", "temperature"},
+     {"probentemperatur", "temperature"},
+     {"zeit", "time"},
+     {"speichermodul", "storage_modulus"},
+     {"verlustmodul", "loss_modulus"},
+     {"komplexer_modul", "complex_modulus"},
+     {"verlustfaktor", "loss_tangent"},
+     {"phasenwinkel", "phase_angle"},
+     {"phasenverschiebung", "phase_angle"},
+     {"verlustwinkel", "phase_angle"},
+     {"relaxationsmodul", "relaxation_modulus"},
+     {"kriechnachgiebigkeit", "creep_compliance"},
+     {"dehnung", "strain"},
+     {"bemerkung", "note"},
+     {"fréquence", "frequency"},
+     {"frequence", "frequency"},
+     {"pulsation", "angular_frequency"},
+     {"température", "temperature"},
+     {"temps", "time"},
+     {"module_de_conservation", "storage_modulus"},
+     {"module_de_stockage", "storage_modulus"},
+     {"module_de_perte", "loss_modulus"},
+     {"module_complexe", "complex_modulus"},
+     {"facteur_de_perte", "loss_tangent"},
+     {"angle_de_phase", "phase_angle"},
+     {"angle_de_perte", "phase_angle"},
+     {"déphasage", "phase_angle"},
+     {"module_de_relaxation", "relaxation_modulus"},
+     {"complaisance_de_fluage", "creep_compliance"}}};
+
+constexpr std::array<std::string_view, 31> measured_names{"frequency",
+                                                          "angular_frequency",
+                                                          "temperature",
+                                                          "time",
+                                                          "strain",
+                                                          "storage_modulus",
+                                                          "storage_shear_modulus",
+                                                          "storage_young_modulus",
+                                                          "loss_modulus",
+                                                          "loss_shear_modulus",
+                                                          "loss_young_modulus",
+                                                          "complex_modulus",
+                                                          "complex_shear_modulus",
+                                                          "complex_young_modulus",
+                                                          "phase_angle",
+                                                          "loss_tangent",
+                                                          "tan_delta",
+                                                          "E'",
+                                                          "E''",
+                                                          "G'",
+                                                          "G''",
+                                                          "relaxation_modulus",
+                                                          "relaxation_shear_modulus",
+                                                          "relaxation_young_modulus",
+                                                          "creep_compliance",
+                                                          "shear_creep_compliance",
+                                                          "tensile_creep_compliance",
+                                                          "a_T",
+                                                          "b_T",
+                                                          "log10_a_T",
+                                                          "note"};
 
 /// "E'" of "e’": a letter and strokes, straight or bent.
 std::string modulus_symbol(std::string_view name) {
@@ -100,15 +184,26 @@ UnitPlace unit_place(std::string_view text) {
                                   "\": must be a name with its unit in brackets: \"speed [m/s]\"");
     return {open, open + 1, text.size() - 1};
   }
-  if (const auto round = text.rfind('('); round != std::string_view::npos && round > 0 && text.back() == ')')
+  constexpr std::string_view of_time = "(t)";  // of G(t) and J(t) no tonne
+  if (const auto round = text.rfind('(');
+      round != std::string_view::npos && round > 0 && text.back() == ')' && text.substr(round) != of_time)
     if (is_unit(trimmed(text.substr(round + 1, text.size() - round - 2)))) return {round, round + 1, text.size() - 1};
   if (const auto stroke = text.find(" / ");
       stroke != std::string_view::npos && is_unit(trimmed(text.substr(stroke + 3))))
     return {stroke, stroke + 3, text.size()};
+  // "E'/MPa"; other names may be ratios.
+  if (const auto stroke = text.find('/');
+      stroke != std::string_view::npos && is_unit(text.substr(stroke + 1)) &&
+      (is_measured_name(as_key(text.substr(0, stroke))) || as_key(text.substr(0, stroke)) == "t"))
+    return {stroke, stroke + 1, text.size()};
   return none;
 }
 
 }  // namespace
+
+bool is_measured_name(std::string_view name) {
+  return std::find(measured_names.begin(), measured_names.end(), name) != measured_names.end();
+}
 
 bool is_unit(std::string_view text) {
   const std::string unit = plain_unit(text);
@@ -130,7 +225,9 @@ TableHeading table_heading(std::string_view text) {
   constexpr std::array<std::string_view, 5> of_temperature{"K", "degC", "°C", "°F", "degF"};
   if (heading.name == "t" &&
       std::find(of_temperature.begin(), of_temperature.end(), heading.unit) != of_temperature.end())
-    heading.name = "temperature";  // else a time
+    heading.name = "temperature";
+  else if (heading.name == "t" && !heading.unit.empty())
+    heading.name = "time";
   if (heading.name != name) heading.written = name;
   return heading;
 }

@@ -145,7 +145,8 @@ TEST_CASE("columns of a table of moduli are known, left out with a note, or refu
   const json noted = json::parse(run(known + "strain [%]", rows).out);
   CHECK_THAT(noted["model"].dump(), Catch::Contains("columns of table.csv left out: strain"));
   CHECK(noted["parameters"][2]["value"].get<double>() == Approx(1).epsilon(1e-6));
-  CHECK(json::parse(run(known + "strain [%]", rows, {{"ignore_columns", {"strain"}}}).out)["model"].empty());
+  CHECK_THAT(json::parse(run(known + "strain [%]", rows, {{"ignore_columns", {"strain"}}}).out)["model"].dump(),
+             !Catch::Contains("left out"));
   CHECK_THAT(run(known + "temprature [K]", rows).err, Catch::Contains("did you mean temperature?"));
 
   const auto errors = [&](const json& sigma) {

@@ -117,6 +117,48 @@ TEST_CASE("a further layer names its table as the first one does, and an overrid
   CHECK_THAT(message_of([&] { read_scene(file); }), Contains("coating_layers[0].listed_moduli is missing"));
 }
 
+TEST_CASE("master_curve_file takes a table of relaxation or of creep where its columns say so", "[studies][material]") {
+  const TemporaryDirectory folder;
+  const auto read = [&](const std::string& text, const std::vector<std::string>& set = {}) {
+    folder.write("rubber.csv", text);
+    return read_scene(folder.write("scene.json", scene_text(R"("material": "master_curve",
+      "master_curve_file": "rubber.csv")")),
+                      set);
+  };
+  const RollingScene scene = read("t [ms];E(t) [MPa];note\n1;9;\n100;6;\n10000;3;\n");
+  CHECK(scene.material == MaterialModel::relaxation_curve);
+  CHECK(scene.listed_moduli == ListedModuli::young);
+  CHECK(scene.relaxation_times == std::vector<double>{1e-3, 0.1, 10});
+  CHECK(scene.relaxation_moduli == std::vector<double>{9e6, 6e6, 3e6});
+  CHECK(scene_json(parse_scene(scene_json(scene), "text")) == scene_json(scene));
+  // An elastic solid has the reciprocal modulus of its compliance, exactly.
+  const RollingScene creep = read("time (s),J(t) (1/MPa)\n1,0.5\n10,0.5\n100,0.5\n");
+  CHECK(creep.listed_moduli == ListedModuli::shear);
+  for (const double modulus : creep.relaxation_moduli) CHECK(modulus == Approx(2e6));
+  CHECK(read("time [s],relaxation modulus [MPa]\n1,2\n10,1\n", {"listed_moduli=young"}).relaxation_moduli.size() == 2);
+
+  const std::string moduli = "frequency [Hz],G' [MPa],G'' [MPa]\n1,2,0.1\n10,3,0.2\n";
+  CHECK(read(moduli, {"master_curve_file=" + folder.write("j.csv", "t [s],J(t) [1/Pa]\n1,1e-6\n9,2e-6\n").string()})
+            .material == MaterialModel::relaxation_curve);
+}
+
+TEST_CASE("tables of relaxation and creep that cannot be are refused by file, row and rule", "[studies][material]") {
+  CHECK(refusal_of_table("time [s],G(t) [MPa]\n1,5\n10,3\n100,3.2\n") ==
+        "rubber.csv, line 4: G(t) [MPa] = 3.2: a relaxation modulus must not rise with time, as it does from 3 in line "
+        "3");
+  CHECK(
+      refusal_of_table("time [s],J(t) [1/MPa]\n10,3\n1,5\n") ==
+      "rubber.csv, line 2: J(t) [1/MPa] = 3: a creep compliance must not fall with time, as it does from 5 in line 3");
+  CHECK(refusal_of_table("time [s],G(t) [MPa]\n0,5\n10,3\n") == "rubber.csv, line 2: time [s] = 0: must be > 0");
+  CHECK(
+      refusal_of_table("time [s],G(t) [MPa],J(t) [1/MPa]\n1,5,0.2\n10,3,0.33\n") ==
+      "rubber.csv: give G(t) or J(t), not both: each row is of relaxation or of creep; ignore_columns leaves one out");
+  CHECK_THAT(refusal_of_table("time [s],G(t) [MPa],storage_modulus [MPa]\n1,5,5\n10,3,3\n"),
+             Contains("storage_modulus: unknown column; known are time, relaxation_modulus, creep_compliance, note"));
+  CHECK_THAT(refusal_of_table("time [s],E(t) [MPa]\n1,5\n10,3\n"),
+             Contains("listed_moduli = \"shear\": the columns of rubber.csv say young"));
+}
+
 TEST_CASE("a table of moduli that does not say whether they are of shear or Young's is refused with both choices",
           "[studies][material]") {
   const TemporaryDirectory folder;

@@ -51,8 +51,9 @@ TEST_CASE("what a table cannot mean is refused in one message", "[studies][text]
         "dma.csv, line 2: frequency [Hz] = 0,1: has a decimal comma, and 4.5 a point: write all with points");
   CHECK(curve_of("frequency [Hz];E' [MPa];E'' [MPa]\n1;1.234,5;2\n") ==
         "dma.csv, line 2: E' [MPa] = 1.234,5: must be a finite number");
-  CHECK(curve_of("DMA 850\nfrequency [Hz],E' [MPa],E'' [MPa]\n1,2,3\n") ==
-        "dma.csv, line 2: 3 cells where the first line names 1 columns; lines above the table begin with #");
+  CHECK(curve_of("DMA 850\nfreq in Hz,storage,loss\n1,2,3\n") ==
+        "dma.csv, line 2: 3 cells where the first line names 1 columns; no line has two names that are known, as "
+        "\"frequency [Hz];E' [MPa];E'' [MPa]\", apart by tabs, semicolons or commas");
   CHECK_THAT(
       curve_of("frequency [Hz],E' [MPa],E'' [MPa],Torque [N],Lossmodulus,Torsion\n1,2,3,4,5,6\n"),
       Contains("dma.csv: Torque: unknown column; Lossmodulus: unknown column; did you mean loss_modulus?; Torsion: "
@@ -60,6 +61,65 @@ TEST_CASE("what a table cannot mean is refused in one message", "[studies][text]
   CHECK(curve_of("frequency [Hz],E',E''\n1,2,3\n") ==
         "dma.csv, line 2: E': the first line must name a unit of stress (Pa)");
   CHECK_THAT(curve_of(std::string("\xFF\xFE", 2) + "f"), Contains("UTF-16"));
+}
+
+TEST_CASE("ten manners of instruments give the same rows", "[studies][text]") {
+  const Json truth = Json::parse(plain());
+  for (const std::string& text : std::initializer_list<std::string>{
+           // What stands above the table is no comment.
+           "Instrument name\tDMA 850\nOperator\tA. B.\nSample\tS1, cut 3\nStart\t25 °C\n\n[step]\nFrequency sweep - 1\n"
+           "Frequency\tE'\tE''\tTan(delta)\nHz\tMPa\tMPa\t\n0.1\t4.5\t0.5\t0.111\n10\t7.25\t1.5\t0.207\n",
+           "#INSTRUMENT: DMA 242\n#SAMPLE: S1\n\nf/Hz;E'/MPa;E''/MPa\n0,1;4,5;0,5\n10;7,25;1,5\n",
+           "Gerät;Eplexor 500\nBediener;M.\nDatum;3.11.2026\n\nFrequenz [Hz];Temperatur [°C];E' [MPa];E'' [MPa];"
+           "Bemerkung\n0,1;23,1;4,5;0,5;ok\n10;23,0;7,25;1,5;\n",
+           "Fr\xE9quence (Hz);E' (MPa);Facteur de perte\n0,1;4,5;0,1111111111111111\n10;7,25;0,2068965517241379\n",
+           "Fréquence (Hz);E' (MPa);E'' (MPa)\n0,1;4,5;0,5\n10;7,25;1,5\n",
+           // A modulus and its angle, a modulus and the tangent of its angle.
+           "Frequency (Hz),|E*| (MPa),Phase angle (°)\n0.1,4.527692569068709,6.34019174590991\n"
+           "10,7.403546447480424,11.689369175439193\n",
+           "Frequenz;|E*|;Verlustfaktor\nHz;MPa;-\n0,1;4,527692569068709;0,1111111111111111\n"
+           "10;7,403546447480424;0,2068965517241379\n",
+           "Freq. [Hz],E* [Pa],delta [rad]\n0.1,4.527692569068709e6,0.11065722117389565\n"
+           "10,7.403546447480424e6,0.20401797959254858\n",
+           // Blocks with a title each.
+           "[step]\nSweep 1\nFrequency,E',E\"\nHz,MPa,MPa\n0.1,4.5,0.5\n[step]\nSweep 2\nFrequency,E',E\"\nHz,MPa,MPa\n"
+           "10,7.25,1.5\n",
+           "\xEF\xBB\xBF\"Test\",\"S1\"\r\n\"Angular Frequency (rad/s)\",\"E' (MPa)\",\"tan_delta\"\r\n"
+           "0.628318530717959,4.5,0.1111111111111111\r\n62.8318530717959,7.25,0.2068965517241379\r\n"}) {
+    CAPTURE(text);
+    const Json read = Json::parse(curve_of(text), nullptr, false);
+    REQUIRE_FALSE(read.is_discarded());
+    CHECK(read["listed_moduli"] == "young");
+    for (const char* const key : {"frequencies", "storage_moduli", "loss_moduli"})
+      for (std::size_t row = 0; row < 2; ++row)
+        CHECK(read[key][row].get<double>() == Approx(truth[key][row].get<double>()).epsilon(1e-12));
+  }
+}
+
+TEST_CASE("what instruments write and a master curve cannot be is refused in one sentence with what to do",
+          "[studies][text]") {
+  CHECK(curve_of("Frequency (Hz);Temp. (°C);E' (MPa);E'' (MPa)\n1;20;4;1\n1;40;3;1\n") ==
+        "dma.csv, line 3: Temp. [°C] = 40: a master curve is at one temperature, and the first row is at 20; \"rollres "
+        "fit\" with \"shift\": \"free\" makes one of rows at several");
+  CHECK(curve_of("Frequency (Hz),|G*| (MPa)\n1,2\n10,3\n") ==
+        "dma.csv: |G*| needs a column beside it: tan_delta or phase_angle [deg]");
+  CHECK_THAT(curve_of("Frequency (Hz),|G*| (MPa),Phase (°)\n1,2,95\n10,3,5\n"),
+             Contains("dma.csv, line 2: Phase [°] = 95: must be above 0 and below 90 deg"));
+  CHECK_THAT(curve_of("Frequency (Hz),G' (MPa),G'' (MPa)\n1,2,1\n[step]\nTemp sweep\nT,G'\n"),
+             Contains("dma.csv, line 3: 1 cells where the first line names 3 columns"));
+  CHECK_THAT(curve_of("Frequency (Hz),G' (MPa),G'' (MPa),Complex viscosity (Pa.s)\n1,2,1,3\n"),
+             Contains("Complex viscosity: unknown column") && Contains("ignore_columns"));
+}
+
+TEST_CASE("what was understood of a table is one line", "[studies][text]") {
+  const TemporaryDirectory folder;
+  const auto file = folder.write("dma.csv",
+                                 "Gerät;Eplexor\nFrequenz [Hz];Temperatur [°C];E' [MPa];E'' [MPa]\n0,1;-10;4,5;0,5\n"
+                                 "10;23;7,25;1,5\n");
+  CHECK(
+      read_measured_table(file).in_words() ==
+      "dma.csv: 2 rows of frequency [Hz] (Frequenz), temperature [°C] (Temperatur), E' [MPa], E'' [MPa]; names in line "
+      "2, lines passed over: 1; decimal commas; at -10 to 23 degC");
 }
 
 TEST_CASE("blocks under the same names are one table, other names below it are refused", "[studies][text]") {

@@ -31,7 +31,7 @@ TEST_CASE("headings are read as instruments and spreadsheets write them", "[stud
   CHECK(read_heading("Temperature (°C)") == "temperature|°C");
   CHECK(read_heading("Temp. [oC]") == "temperature|degC");
   CHECK(read_heading("T [°C]") == "temperature|°C");
-  CHECK(read_heading("t [s]") == "t|s");  // a time
+  CHECK(read_heading("t [s]") == "time|s");  // a time
   CHECK(read_heading("Freq. [Hz]") == "frequency|Hz");
   CHECK(read_heading("Ang. frequency (rad/s)") == "angular_frequency|rad/s");
   CHECK(read_heading("aT") == "a_T|");

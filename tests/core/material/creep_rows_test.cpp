@@ -1,0 +1,116 @@
+#include "core/material/creep_rows.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <random>
+
+#include "core/material/master_curve.hpp"
+#include "core/material/material_functions.hpp"
+#include "core/rolling_contact.hpp"
+#include "tests/catch.hpp"
+#include "tests/core/paper_scenes.hpp"
+
+using namespace rollres;
+
+namespace {
+
+const PronySeries three_terms{1e6, {{1e6, 1e-3}, {2e6, 5e-2}, {7e5, 2}}};
+
+struct DrawnTest {
+  std::vector<double> times, relaxation, creep;  // [s], G(t) [Pa], J(t) [1/Pa]
+};
+
+/// From 0.1 ms to 100 s, with a relative noise.
+DrawnTest drawn(double noise, std::uint64_t draw) {
+  std::mt19937_64 generator(draw);
+  std::normal_distribution<double> normal(1, noise > 0 ? noise : 1e-300);
+  const CreepSpectrum creep = creep_spectrum(three_terms);
+  DrawnTest test;
+  for (int i = 0; i <= 36; ++i) {
+    test.times.push_back(1e-4 * std::pow(10, i / 6.0));
+    test.relaxation.push_back(normal(generator) * relaxation_modulus(three_terms, test.times.back()));
+    test.creep.push_back(normal(generator) * creep_compliance(creep, test.times.back()));
+  }
+  return test;
+}
+
+MaterialInputs relaxation_curve(const std::vector<double>& times, const std::vector<double>& moduli) {
+  MaterialInputs layer;
+  layer.material = MaterialModel::relaxation_curve;
+  layer.relaxation_times = times;
+  layer.relaxation_moduli = moduli;
+  return layer;
+}
+
+double farthest(const MaterialInputs& layer) {
+  double most = 0;
+  for (double omega = 0.03; omega < 3e3; omega *= 1.5) {
+    const auto truth = complex_modulus(three_terms, omega), found = complex_modulus(layer, omega);
+    most = std::max({most, std::abs(found.real() / truth.real() - 1), std::abs(found.imag() / truth.imag() - 1)});
+  }
+  return most;
+}
+
+}  // namespace
+
+TEST_CASE("exact rows of relaxation or of creep give a Prony solid's storage and loss back inside their band",
+          "[core][material]") {
+  const DrawnTest test = drawn(0, 0);
+  // Relaxation is linear in the series' moduli and loses nothing; creep goes through G(t) J(t) of even times.
+  CHECK(farthest(relaxation_curve(test.times, test.relaxation)) < 1e-4);
+  CHECK(farthest(relaxation_curve(test.times, relaxation_of_creep(test.times, test.creep))) < 5e-3);
+}
+
+TEST_CASE("the modulus of a power law's creep is sin(pi n)/(pi n) over its compliance", "[core][material]") {
+  // Fails where compliances are inverted row by row: 1/J is 11 % to 57 % above G.
+  for (const double n : {0.25, 0.5}) {
+    std::vector<double> times, creep;
+    for (int i = 0; i <= 60; ++i) {
+      times.push_back(std::pow(10, i / 10.0));
+      creep.push_back(1e-6 * std::pow(times.back(), n));
+    }
+    const std::vector<double> moduli = relaxation_of_creep(times, creep);
+    const double factor = std::sin(std::numbers::pi * n) / (std::numbers::pi * n);
+    for (std::size_t i = 25; i < times.size(); ++i)  // before them no row says how it began
+      CHECK(moduli[i] * creep[i] == Approx(factor).epsilon(0.02));
+  }
+}
+
+TEST_CASE("rolling on noisy rows of relaxation and of creep costs what it does on the solid, within the stated error",
+          "[core][material][rolling_contact]") {
+  RollingScene solid = paper_cylinder();
+  solid.friction_coefficient = 0;
+  solid.spacing.reset();
+  solid.inertia = Inertia::off;
+  solid.speed = 0.1;
+  solid.material = MaterialModel::prony;
+  solid.static_shear_modulus = three_terms.static_modulus;
+  for (const PronySeries::Term& term : three_terms.terms) {
+    solid.relaxation_times.push_back(term.time);
+    solid.relaxation_moduli.push_back(term.modulus);
+  }
+  const double truth = solve(solid).rolling_resistance;
+  int outside = 0;
+  for (std::uint64_t draw = 1; draw <= 10; ++draw) {
+    const DrawnTest test = drawn(0.02, draw);
+    for (const bool creep : {false, true}) {
+      RollingScene scene = solid;
+      scene.static_shear_modulus.reset();
+      static_cast<MaterialInputs&>(scene) = [&] {
+        MaterialInputs layer =
+            relaxation_curve(test.times, creep ? relaxation_of_creep(test.times, test.creep) : test.relaxation);
+        layer.poisson_ratio = solid.poisson_ratio;
+        return layer;
+      }();
+      const RollingSolution found = solve(scene);
+      REQUIRE(found.status == Status::converged);
+      const double missed = std::abs(found.rolling_resistance - truth);
+      CAPTURE(draw, creep, missed / truth, found.rolling_resistance_error / truth);
+      CHECK(missed < 2 * found.rolling_resistance_error);
+      CHECK(found.rolling_resistance_error < 0.3 * truth);
+      outside += missed > found.rolling_resistance_error;
+    }
+  }
+  CHECK(outside <= 2);  // of 20
+}
