@@ -46,18 +46,23 @@ ChartRequest shifts_chart(const MaterialFit& found, const std::string& name) {
 ChartRequest angles_chart(const MaterialFit& found, const std::vector<MeasuredModulus>& data, const std::string& name) {
   const std::vector<double>& temperatures = found.shift.table.temperatures;
   const std::vector<MeasuredModulus> moved = times_vertical_shifts(data, found.shift);
-  ChartRequest request{
-      .title = name,
-      .subtitle = superposition_test(moved, temperatures).in_words(),
-      .x = {.name = found.shift.table.moduli.empty() ? "|G*|" : "b_T |G*|", .unit = "Pa", .logarithmic = true},
-      .y = {.name = "loss angle", .symbol = "δ", .unit = "deg"},
-      .curves = {},
-      .mark_peaks = false};
+  const auto size = [](const MeasuredModulus& row) { return std::hypot(row.storage, row.loss); };
+  const auto [least, most] = std::minmax_element(
+      moved.begin(), moved.end(), [&](const auto& one, const auto& other) { return size(one) < size(other); });
+  const ScaledUnit unit = scaled_unit_logarithmic("Pa", size(*least), size(*most));
+  ChartRequest request{.title = name,
+                       .subtitle = superposition_test(moved, temperatures).in_words(),
+                       .x = {.name = found.shift.table.moduli.empty() ? "|G*|" : "b_T |G*|",
+                             .unit = typeset_unit(unit.name),
+                             .logarithmic = true},
+                       .y = {.name = "loss angle", .symbol = "δ", .unit = "deg"},
+                       .curves = {},
+                       .mark_peaks = false};
   for (const double temperature : temperatures)
-    request.curves.push_back({short_number(celsius().number(temperature), 4) + " °C", {}});
+    request.curves.push_back({short_number(std::round(10 * celsius().number(temperature)) / 10, 4) + " °C", {}});
   for (const MeasuredModulus& row : moved)
     request.curves[nearest_step(temperatures, row.temperature)].points.push_back(
-        {std::hypot(row.storage, row.loss), std::atan2(row.loss, row.storage) * 180 / std::numbers::pi});
+        {size(row) / unit.factor, std::atan2(row.loss, row.storage) * 180 / std::numbers::pi});
   for (ChartCurve& curve : request.curves)
     std::sort(curve.points.begin(), curve.points.end(), [](const auto& a, const auto& b) { return a.x < b.x; });
   return request;
