@@ -88,6 +88,16 @@ MaterialFit fit_zener(const std::vector<MeasuredModulus>& data, const MaterialFi
   return answer;
 }
 
+/// Values and predictions times the b_T that were found, as data are where a table gives it.
+void scale_values(MaterialFit& answer, const std::vector<MeasuredModulus>& data) {
+  for (std::size_t i = 0; i < answer.report.values.size(); ++i) {
+    FittedValue& value = answer.report.values[i];
+    const double factor = modulus_factor(answer.shift, data[i / 2].temperature);
+    for (double* const number : {&value.measured.value, &value.measured.deviation, &value.predicted, &value.band})
+      *number *= factor;
+  }
+}
+
 }  // namespace
 
 TemperatureShift usual_constants(TemperatureShift shift, const std::vector<MeasuredModulus>& data) {
@@ -160,6 +170,7 @@ MaterialFit fit_material(const std::vector<MeasuredModulus>& data, const Materia
   warn(answer.report, swapped_moduli(curve.storage, curve.loss));
   if (!options.free_shifts) answer.shift.table.moduli = options.shift.table.moduli;
   if (options.free_shifts) {
+    scale_values(answer, data);
     for (const LawThrough& law : laws_through(answer.shift)) answer.notes.push_back(law.in_words());
     warn(answer.report, without_overlap(data, answer.shift));
     const SuperpositionTest test =

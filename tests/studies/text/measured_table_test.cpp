@@ -1,3 +1,5 @@
+// Covers table_lines, too.
+
 #include "studies/text/measured_table.hpp"
 
 #include "studies/scene_io/master_curve_file.hpp"
