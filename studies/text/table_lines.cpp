@@ -163,9 +163,10 @@ int line_of_known_names(const std::string& text) {
   return 0;
 }
 
-bool is_text(const std::vector<std::string>& cells) {
-  return std::none_of(cells.begin(), cells.end(),
-                      [](const std::string& cell) { return plain_number(cell) || with_point(cell); });
+/// Whether a line begins with a word: "Segment;2".
+bool begins_with_text(const std::vector<std::string>& cells) {
+  const auto first = std::find_if(cells.begin(), cells.end(), [](const std::string& cell) { return !cell.empty(); });
+  return first == cells.end() || !(plain_number(*first) || with_point(*first));
 }
 
 /// Takes the line of names. @return how many columns at its end have no name
@@ -227,7 +228,7 @@ struct TableLines {
 
   void take_cells(const std::vector<std::string>& cells, const std::string& content, int number) {
     const std::size_t before = table.lines.size();
-    if (before > 0 && cells.size() != table.columns.size() && is_text(cells)) {
+    if (before > 0 && cells.size() != table.columns.size() && begins_with_text(cells)) {
       if (aside == 0) aside = number, beside = cells;
       ++table.passed_over;
       return;
