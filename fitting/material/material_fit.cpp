@@ -163,7 +163,7 @@ MaterialFit fit_material(const std::vector<MeasuredModulus>& data, const Materia
   const auto fit_with = [&](const MaterialFitOptions& given) {
     return given.form == MaterialForm::prony ? fit_series(data, given) : fit_zener(data, given);
   };
-  MaterialFit answer = options.free_shifts ? with_vertical_shifts(wanted, fit_with) : fit_with(wanted);
+  MaterialFit answer = options.free_shifts ? with_vertical_shifts(data, wanted, fit_with) : fit_with(wanted);
   const MasterCurve curve = master_curve_of(data, answer.shift);
   const auto [lowest, highest] = std::minmax_element(curve.frequencies.begin(), curve.frequencies.end());
   if (*lowest < *highest) warn(answer.report, passivity_test(curve).in_words());

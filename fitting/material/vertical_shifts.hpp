@@ -14,9 +14,10 @@ namespace rollres {
 
 inline constexpr double wanted_gain = 10;
 
-/// The better of two fits of free shifts, without and with b_T; a note says which, and by how much.
+/// The better of two fits of free shifts, without and with b_T; a note says which, and by how much. The second is not
+/// made where to first order AICc would not fall by so much.
 /// @param fit_with  fits with the shifts that it is given, whose table has b_T where they are wanted
-MaterialFit with_vertical_shifts(const MaterialFitOptions& options,
+MaterialFit with_vertical_shifts(const std::vector<MeasuredModulus>& data, const MaterialFitOptions& options,
                                  const std::function<MaterialFit(const MaterialFitOptions&)>& fit_with);
 
 }  // namespace rollres

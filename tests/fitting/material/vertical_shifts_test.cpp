@@ -76,7 +76,7 @@ TEST_CASE("b_T of drawn rows are found where the data ask, with the errors that 
     const MaterialFit found =
         fitted(scaled_rows(seed, strength), VerticalShift::automatic, MaterialForm::fractional_zener, true);
     REQUIRE(found.shift.table.moduli.size() == 6);
-    CHECK_THAT(found.notes.front(), Contains("vertical shifts b_T are taken: with them AICc falls by "));
+    CHECK_THAT(found.notes.front(), Contains("times b_T: with them AICc falls by "));
     for (const FittedParameter& one : found.report.parameters) {
       if (!one.parameter.name.starts_with("log10_b_T (")) continue;
       const double temperature = 273.15 + std::stod(one.parameter.name.substr(11));
