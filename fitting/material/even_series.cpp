@@ -50,13 +50,14 @@ EvenSeries series_at_times(const std::vector<MeasuredModulus>& data, const Tempe
   Eigen::Index row = 0;
   for (const MeasuredModulus& measured : data) {
     const double omega = measured.angular_frequency * shift_factor(shift, measured.temperature);
+    const double scale = 1 / modulus_factor(shift, measured.temperature);
     for (Eigen::Index j = 0; j < terms; ++j) {
       const std::complex<double> unit =
-          complex_modulus(PronySeries{0, {{1, times[static_cast<std::size_t>(j)]}}}, omega);
+          scale * complex_modulus(PronySeries{0, {{1, times[static_cast<std::size_t>(j)]}}}, omega);
       a(row, j + 1) = unit.real() / measured.storage_deviation;
       a(row + 1, j + 1) = unit.imag() / measured.loss_deviation;
     }
-    a(row, 0) = 1 / measured.storage_deviation;
+    a(row, 0) = scale / measured.storage_deviation;
     a(row + 1, 0) = 0;
     b[row] = measured.storage / measured.storage_deviation;
     b[row + 1] = measured.loss / measured.loss_deviation;

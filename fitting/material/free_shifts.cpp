@@ -202,6 +202,15 @@ std::string SuperpositionTest::in_words() const {
                                  : ": no shift of frequencies joins them, superposition does not hold");
 }
 
+std::vector<MeasuredModulus> times_vertical_shifts(std::vector<MeasuredModulus> data, const TemperatureShift& shift) {
+  for (MeasuredModulus& row : data) {
+    const double factor = modulus_factor(shift, row.temperature);
+    row.storage *= factor;
+    row.loss *= factor;
+  }
+  return data;
+}
+
 SuperpositionTest superposition_test(const std::vector<MeasuredModulus>& data,
                                      const std::vector<double>& temperatures) {
   std::vector<Curve> curves;

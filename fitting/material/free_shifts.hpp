@@ -39,6 +39,8 @@ struct SuperpositionTest {
   bool holds() const;
   std::string in_words() const;
 };
+/// The rows with their moduli times the b_T of a shift, if it has them.
+std::vector<MeasuredModulus> times_vertical_shifts(std::vector<MeasuredModulus> data, const TemperatureShift& shift);
 SuperpositionTest superposition_test(const std::vector<MeasuredModulus>& data, const std::vector<double>& temperatures);
 
 /// Names the neighbouring temperatures whose reduced frequencies do not overlap: nothing measured joins them. Empty if

@@ -15,6 +15,7 @@
 #include "fitting/material/free_shifts.hpp"
 #include "fitting/material/material_problem.hpp"
 #include "fitting/material/series_fit.hpp"
+#include "fitting/material/vertical_shifts.hpp"
 
 namespace rollres {
 
@@ -39,9 +40,10 @@ std::pair<double, FractionalZener> best_at(const std::vector<MeasuredModulus>& d
   Eigen::Index row = 0;
   for (const MeasuredModulus& measured : data) {
     const double omega = measured.angular_frequency * shift_factor(shift, measured.temperature);
+    const double scale = 1 / modulus_factor(shift, measured.temperature);
     const std::complex<double> z = std::pow(std::complex<double>(0, omega * theta), order),
-                               unit = 1.0 - 1.0 / (1.0 + z);
-    a.row(row) << 1 / measured.storage_deviation, unit.real() / measured.storage_deviation;
+                               unit = scale * (1.0 - 1.0 / (1.0 + z));
+    a.row(row) << scale / measured.storage_deviation, unit.real() / measured.storage_deviation;
     a.row(row + 1) << 0, unit.imag() / measured.loss_deviation;
     b[row] = measured.storage / measured.storage_deviation;
     b[row + 1] = measured.loss / measured.loss_deviation;
@@ -84,6 +86,16 @@ MaterialFit fit_zener(const std::vector<MeasuredModulus>& data, const MaterialFi
   });
   answer.zener = zener_at(answer.report.point(), fractional);
   return answer;
+}
+
+/// Values and predictions times the b_T that were found, as data are where a table gives it.
+void scale_values(MaterialFit& answer, const std::vector<MeasuredModulus>& data) {
+  for (std::size_t i = 0; i < answer.report.values.size(); ++i) {
+    FittedValue& value = answer.report.values[i];
+    const double factor = modulus_factor(answer.shift, data[i / 2].temperature);
+    for (double* const number : {&value.measured.value, &value.measured.deviation, &value.predicted, &value.band})
+      *number *= factor;
+  }
 }
 
 }  // namespace
@@ -146,16 +158,23 @@ MaterialFit fit_material(const std::vector<MeasuredModulus>& data, const Materia
     wanted.shift = start_of_free_shifts(data, wanted);
   } else {
     wanted.shift = usual_constants(options.shift, data);
+    wanted.shift.table.moduli.clear();  // the data are times b_T
   }
-  MaterialFit answer = options.form == MaterialForm::prony ? fit_series(data, wanted) : fit_zener(data, wanted);
+  const auto fit_with = [&](const MaterialFitOptions& given) {
+    return given.form == MaterialForm::prony ? fit_series(data, given) : fit_zener(data, given);
+  };
+  MaterialFit answer = options.free_shifts ? with_vertical_shifts(data, wanted, fit_with) : fit_with(wanted);
   const MasterCurve curve = master_curve_of(data, answer.shift);
   const auto [lowest, highest] = std::minmax_element(curve.frequencies.begin(), curve.frequencies.end());
   if (*lowest < *highest) warn(answer.report, passivity_test(curve).in_words());
   warn(answer.report, swapped_moduli(curve.storage, curve.loss));
+  if (!options.free_shifts) answer.shift.table.moduli = options.shift.table.moduli;
   if (options.free_shifts) {
+    scale_values(answer, data);
     for (const LawThrough& law : laws_through(answer.shift)) answer.notes.push_back(law.in_words());
     warn(answer.report, without_overlap(data, answer.shift));
-    const SuperpositionTest test = superposition_test(data, answer.shift.table.temperatures);
+    const SuperpositionTest test =
+        superposition_test(times_vertical_shifts(data, answer.shift), answer.shift.table.temperatures);
     if (test.holds())
       answer.notes.push_back(test.in_words());
     else

@@ -37,6 +37,13 @@ template <>
 struct ChoiceNames<SeriesTimes> {
   static constexpr std::array<std::string_view, 2> names{"even", "free"};
 };
+/// Factors b_T of the moduli beside free shifts, one for each temperature: where AICc asks for them, always, or never.
+enum class VerticalShift { automatic, free, none };
+template <>
+struct ChoiceNames<VerticalShift> {
+  static constexpr std::array<std::string_view, 3> names{"auto", "free", "none"};
+};
+
 inline constexpr int most_free_terms = 10, usual_free_terms = 5;
 
 struct MaterialFitOptions {
@@ -45,6 +52,7 @@ struct MaterialFitOptions {
   std::optional<SeriesTimes> times = {};  ///< default: free for up to usual_free_terms that are asked for, else even
   TemperatureShift shift = {};            ///< its law, its reference, and where its constants start
   bool free_shifts = false;  ///< one log10 a_T for each temperature: the law is a table, of steps_of_temperature
+  VerticalShift vertical = VerticalShift::automatic;  ///< beside free shifts
   bool deviations_known = false;
   FitOptions options = {};
 };
@@ -69,6 +77,8 @@ TemperatureShift usual_constants(TemperatureShift shift, const std::vector<Measu
 /// The moduli of a Prony series of even times (even_series.hpp) are linear unknowns that may be 0: their intervals are
 /// those of the slopes, cut off at 0, and only the constants of a shift have profiles. Those constants start where the
 /// moduli of least squares at every shift leave the least misfit.
+/// Free shifts are fitted without b_T and with them (vertical_shifts.hpp). The b_T of a given table of shifts count as
+/// applied: data are moduli times b_T.
 /// @throws std::invalid_argument if the data are too few, or the free terms too many
 MaterialFit fit_material(const std::vector<MeasuredModulus>& data, const MaterialFitOptions& options);
 

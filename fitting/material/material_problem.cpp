@@ -18,6 +18,7 @@ constexpr Quantity energy{"activation_energy", "E", "J/mol", "of Arrhenius' law"
 constexpr Quantity vft_b{"vft_b", "B", "K", "of VFT's law", positive};
 constexpr Quantity vft_temperature{"vft_temperature", "T∞", "K", "of VFT's law", positive};
 constexpr Quantity log_shift{"log10_a_T", "log a_T", "1", "shift of one temperature", any_number};
+constexpr Quantity log_vertical{"log10_b_T", "log b_T", "1", "vertical shift of one temperature", any_number};
 
 }  // namespace
 
@@ -43,11 +44,13 @@ std::vector<FitParameter> shift_parameters(const TemperatureShift& shift, bool f
     constexpr double farthest = 100;  // decades
     const std::size_t reference = nearest_step(shift.table.temperatures, shift.reference);
     std::vector<FitParameter> parameters;
-    for (std::size_t i = 0; i < shift.table.temperatures.size(); ++i)
-      if (i != reference)
-        parameters.push_back({message_text<4>("log10_a_T (", celsius_of(shift.table.temperatures[i]), " degC)"),
-                              {log_shift, -farthest, farthest, Scaling::linear, 1},
-                              std::log10(shift.table.factors[i])});
+    for (const auto& [quantity, list] :
+         {std::pair(&log_shift, &shift.table.factors), std::pair(&log_vertical, &shift.table.moduli)})
+      for (std::size_t i = 0; i < list->size(); ++i)
+        if (i != reference)
+          parameters.push_back({message_text<4>(quantity->key, " (", celsius_of(shift.table.temperatures[i]), " degC)"),
+                                {*quantity, -farthest, farthest, Scaling::linear, 1},
+                                std::log10((*list)[i])});
     return parameters;
   }
   if (shift.law == ShiftLaw::wlf)
@@ -65,9 +68,10 @@ TemperatureShift shift_at(TemperatureShift shift, const FitPoint& point, bool fr
   const std::size_t n = point.size();
   if (free) {
     const std::size_t reference = nearest_step(shift.table.temperatures, shift.reference);
-    std::size_t next = n + 1 - shift.table.factors.size();
-    for (std::size_t i = 0; i < shift.table.factors.size(); ++i)
-      shift.table.factors[i] = i == reference ? 1 : std::pow(10, point[next++]);
+    const std::size_t others = shift.table.factors.size() - 1;
+    std::size_t next = n - (shift.table.moduli.empty() ? 1 : 2) * others;
+    for (std::vector<double>* const list : {&shift.table.factors, &shift.table.moduli})
+      for (std::size_t i = 0; i < list->size(); ++i) (*list)[i] = i == reference ? 1 : std::pow(10, point[next++]);
     return shift;
   }
   if (shift.law == ShiftLaw::wlf) shift.c1 = point[n - 2], shift.c2 = point[n - 1];
@@ -111,7 +115,8 @@ FitProblem material_problem(const std::vector<MeasuredModulus>& data, std::vecto
     const TemperatureShift here = shift_at(shift, point, free);
     Eigen::Index row = 0;
     for (const MeasuredModulus& measured : data) {
-      const auto value = modulus(point, measured.angular_frequency * shift_factor(here, measured.temperature));
+      const auto value = modulus(point, measured.angular_frequency * shift_factor(here, measured.temperature)) /
+                         modulus_factor(here, measured.temperature);
       moduli[row++] = value.real();
       moduli[row++] = value.imag();
     }
@@ -126,7 +131,8 @@ MaterialFit material_answer(FitReport report, const MaterialFitOptions& options,
   answer.shift = shift_at(options.shift, answer.report.point(), options.free_shifts);
   answer.modulus_at = [modulus, shift = options.shift, free = options.free_shifts](const FitPoint& point, double omega,
                                                                                    double temperature) {
-    return modulus(point, omega * shift_factor(shift_at(shift, point, free), temperature));
+    const TemperatureShift here = shift_at(shift, point, free);
+    return modulus(point, omega * shift_factor(here, temperature)) / modulus_factor(here, temperature);
   };
   return answer;
 }
@@ -141,8 +147,9 @@ MasterCurve master_curve_of(const std::vector<MeasuredModulus>& data, const Temp
   for (const MeasuredModulus& row : data) {
     const double omega = row.angular_frequency * shift_factor(shift, row.temperature);
     curve.frequencies.push_back(omega / (2 * std::numbers::pi));
-    curve.storage.push_back(row.storage);
-    curve.loss.push_back(row.loss);
+    const double factor = modulus_factor(shift, row.temperature);
+    curve.storage.push_back(factor * row.storage);
+    curve.loss.push_back(factor * row.loss);
   }
   return curve;
 }

@@ -23,7 +23,8 @@ inline double celsius_of(double temperature) { return temperature - 273.15; }
 std::size_t nearest_step(const std::vector<double>& temperatures, double temperature);
 
 /// The constants of a shift, which start at its own, or where those are 0 at usual ones.
-/// @param free  of a table: log10 a_T of each temperature but the one nearest to the reference, where it is 0
+/// @param free  of a table: log10 a_T of each temperature but the one nearest to the reference, where it is 0, then
+/// log10 b_T likewise if the table has them
 std::vector<FitParameter> shift_parameters(const TemperatureShift& shift, bool free = false);
 
 /// The shift whose constants are the last values of a point.
@@ -37,7 +38,8 @@ using ModulusAt = std::function<std::complex<double>(const FitPoint&, double red
 /// @param least_size  of a value, for its rounding
 void answer_by(FitProblem& problem, std::function<Eigen::VectorXd(const FitPoint&)> values, double least_size);
 
-/// The problem of a material of the first parameters and a shift of the last, which are added here.
+/// The problem of a material, divided by the b_T of the shift if it has them, of the first parameters and a shift of
+/// the last, which are added here.
 FitProblem material_problem(const std::vector<MeasuredModulus>& data, std::vector<FitParameter> parameters,
                             const MaterialFitOptions& options, const ModulusAt& modulus);
 

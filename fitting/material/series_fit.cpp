@@ -65,7 +65,8 @@ Slopes series_slopes(const std::vector<MeasuredModulus>& data, const PronySeries
       const std::complex<double> unit =
           term < 0 ? 1
                    : complex_modulus(PronySeries{0, {{1, series.terms[static_cast<std::size_t>(term)].time}}}, omega);
-      const double size = problem.parameters[static_cast<std::size_t>(j)].variable.size;
+      const double size =
+          problem.parameters[static_cast<std::size_t>(j)].variable.size / modulus_factor(here, measured.temperature);
       slopes.derivatives(row, j) = unit.real() * size;
       slopes.derivatives(row + 1, j) = unit.imag() * size;
     }
@@ -271,7 +272,8 @@ TemperatureShift best_shift(const std::vector<MeasuredModulus>& data, const Mate
       Eigen::Index row = 0;
       for (const MeasuredModulus& measured : data) {
         const auto value =
-            complex_modulus(series, measured.angular_frequency * shift_factor(here, measured.temperature));
+            complex_modulus(series, measured.angular_frequency * shift_factor(here, measured.temperature)) /
+            modulus_factor(here, measured.temperature);
         prediction.values[row++] = value.real();
         prediction.values[row++] = value.imag();
       }

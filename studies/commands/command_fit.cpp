@@ -123,7 +123,7 @@ std::string model_in_words(const MaterialFitOptions& options, const MaterialFit&
   std::string words(name_of(options.form));
   if (options.form == MaterialForm::prony) words += ", " + std::to_string(found.prony.terms.size()) + " terms";
   if (options.shift.law == ShiftLaw::none) return words;
-  if (options.free_shifts) return words + ", free shifts";
+  if (options.free_shifts) return words + ", free shifts" + (found.shift.table.moduli.empty() ? "" : " and b_T");
   if (options.shift.law == ShiftLaw::table) return words + ", table of shifts";
   return words + ", " + std::string(shift_names[static_cast<std::size_t>(options.shift.law)]);
 }
@@ -138,7 +138,7 @@ MadeFit make_material_fit(const FitArguments& arguments, MaterialFile file, Sess
   if (found.report.slopes.found()) record = with_curves(std::move(record), modulus_curves(file, found));
   const std::string model = model_in_words(file.options, found);
   if (file.options.free_shifts && !arguments.out.empty() && found.report.slopes.found())
-    for (const auto& written : write_free_shifts(found, file.name, arguments.out))
+    for (const auto& written : write_free_shifts(found, file.data, file.name, arguments.out))
       session.err << "written: " << written.string() << '\n';
   const FitReport report = found.report;
   return stored({.source = arguments.fit,

@@ -165,6 +165,11 @@ MaterialFile read_material_fit(const std::filesystem::path& file) {
   std::string text = table.text;
   fit.options.shift = given_shift(object, file, place, text);
   fit.options.free_shifts = fit.options.shift.law == ShiftLaw::table && fit.options.shift.table.temperatures.empty();
+  if (object.contains("vertical_shift")) {
+    if (!fit.options.free_shifts)
+      refuse(place, "vertical_shift", object["vertical_shift"], "needs \"shift\": \"free\"");
+    fit.options.vertical = choice_or_first<VerticalShift>(object, "vertical_shift", place);
+  }
   fit.data_digest = digest(text);
   table.leave_out(names_or_none(object, std::string(ignored_columns_key), place));
   fit.notes.push_back(table.in_words());

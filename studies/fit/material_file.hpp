@@ -9,8 +9,8 @@
 /// or [degC]. Others are left out, with a note, unless they resemble one of these; `ignore_columns` lists columns that
 /// are left out. `modulus`: "shear" (default), or "young" for E' and E", divided by 3 (incompressible). `sigma`: a
 /// relative deviation of all moduli, or {"storage_modulus": "1 %", "loss_modulus": "3 %"}; without it all residuals
-/// weigh the same relative to their values. `shift`: "none" (default), "wlf", "arrhenius", "vft", or "free": a factor for each
-/// temperature of the table. `terms`: a number, or
+/// weigh the same relative to their values. `shift`: "none" (default), "wlf", "arrhenius", "vft", or "free": a factor
+/// for each temperature of the table, with `vertical_shift` "auto", "free" or "none" for b_T. `terms`: a number, or
 /// "auto"; `times`: "even" or "free". `scene`: a scene or the name of its file, in which the fitted material is
 /// written. Also starts, seed, comment.
 

@@ -40,6 +40,7 @@ ShiftFile read_shift_fit(const std::filesystem::path& file) {
   const std::string name = needed_text(object, "data", place, "must be the name of a CSV file");
   MeasuredTable table = read_measured_table(file.parent_path() / name);
   fit.data_digest = digest(table.text);
+  fit.notes.push_back(table.in_words());
   table.leave_out(names_or_none(object, "ignore_columns", place));
   constexpr std::array<std::string_view, 4> known{"temperature", "a_T", "log10_a_T", "note"};
   std::vector<std::string> others;

@@ -64,6 +64,7 @@ StrainFile read_strain_fit(const std::filesystem::path& file) {
   const std::string name = needed_text(object, "data", place, "must be the name of a CSV file");
   MeasuredTable table = read_measured_table(file.parent_path() / name);
   fit.data_digest = digest(table.text);
+  fit.notes.push_back(table.in_words());
   table.leave_out(names_or_none(object, std::string(ignored_columns_key), place));
   take_modulus_names(table);  // of shear or Young's: only their ratios count
   std::vector<std::string_view> known(modulus_columns.begin(), modulus_columns.end());

@@ -87,7 +87,8 @@ TEST_CASE("exact rows give their law of shift back, and it is named", "[fitting]
   REQUIRE(found.shift.table.temperatures.size() == 12);
   for (const double temperature : {255.0, 270.0, 300.0, 325.0})
     CHECK(std::log10(shift_factor(found.shift, temperature)) == Approx(true_log_shift(temperature)).margin(5e-3));
-  CHECK_THAT(found.notes.front(), Contains("WLF through the shifts (wlf_c1 = 12") && Contains("wlf_c2 = 90"));
+  CHECK_THAT(found.notes.front(), Contains("vertical shifts b_T are left out: with them AICc would rise by"));
+  CHECK_THAT(found.notes[1], Contains("WLF through the shifts (wlf_c1 = 12") && Contains("wlf_c2 = 90"));
   CHECK_THAT(found.notes.back(), Contains("time-temperature superposition holds"));
 }
 

@@ -42,11 +42,21 @@ TEST_CASE("raw rows at several temperatures are fitted, and the shifts serve as 
   const std::string table = file_text(folder / "out" / "shifts.csv");
   CHECK_THAT(table, Contains("temperature [K],log10_a_T [1]\n273.15,"));
   CHECK_THAT(file_text(folder / "out" / "shifts.svg"), Contains("WLF"));
+  CHECK_THAT(file_text(folder / "out" / "van_gurp_palmen.svg"),
+             Contains("loss angle") && Contains("superposition holds") && Contains("10 °C"));
+  CHECK_THAT(found.out, Contains("vertical shifts b_T are left out"));
   CHECK_THAT(file_text(folder / "s.json"), Contains("shift_temperatures") && Contains("shift_factors"));
 
   const ProgramRun again = run(fit("again", R"("shift_table_file": "out/shifts.csv")"), {});
   INFO(again.out << again.err);
   CHECK(again.status == 0);
+
+  const ProgramRun vertical =
+      run(fit("vertical", R"("shift": "free", "vertical_shift": "free")"), {"--out", (folder / "out_b").string()});
+  INFO(vertical.out << vertical.err);
+  CHECK_THAT(file_text(folder / "out_b" / "shifts.csv"), Contains("temperature [K],log10_a_T [1],b_T [1]\n273.15,"));
+  CHECK_THAT(run(fit("idle", R"("shift": "wlf", "vertical_shift": "free")"), {}).err,
+             Contains("vertical_shift = \"free\": needs \"shift\": \"free\""));
 
   CHECK_THAT(run(fit("cold", R"("shift": "free", "reference_temperature": "-20 degC")"), {}).err,
              Contains("reference_temperature = 253.15: must be within shift_temperatures"));

@@ -1,3 +1,5 @@
+// Covers table_lines, too.
+
 #include "studies/text/measured_table.hpp"
 
 #include "studies/scene_io/master_curve_file.hpp"
@@ -128,6 +130,8 @@ TEST_CASE("blocks under the same names are one table, other names below it are r
     return read_measured_table(directory.write("t.csv", "f [Hz],G' [Pa]\n1,2\n" + between + "\n3,4\n")).rows();
   };
   CHECK(rows("\nf [Hz],G' [Pa]") == 2);
+  CHECK(rows("Segment,2,end\nf [Hz],G' [Pa]") == 2);
+  CHECK_THAT(message_of([&] { rows("5,6,7\nf [Hz],G' [Pa]"); }), Contains("line 3: 3 cells where"));
   CHECK(rows("f [Hz],G'' [Pa]") == 3);
   const MeasuredTable table = read_measured_table(directory / "t.csv");
   CHECK_THAT(message_of([&] { measured_number(table, table.columns[0], 1, "Hz"); }),

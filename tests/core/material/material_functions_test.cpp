@@ -1,4 +1,4 @@
-#include "core/material/creep_rows.hpp"
+#include "core/material/material_functions.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -6,10 +6,10 @@
 #include <random>
 
 #include "core/material/master_curve.hpp"
-#include "core/material/material_functions.hpp"
 #include "core/rolling_contact.hpp"
 #include "tests/catch.hpp"
 #include "tests/core/paper_scenes.hpp"
+#include "tests/core/rubber.hpp"
 
 using namespace rollres;
 
@@ -83,34 +83,32 @@ TEST_CASE("rolling on noisy rows of relaxation and of creep costs what it does o
   solid.friction_coefficient = 0;
   solid.spacing.reset();
   solid.inertia = Inertia::off;
-  solid.speed = 0.1;
   solid.material = MaterialModel::prony;
   solid.static_shear_modulus = three_terms.static_modulus;
   for (const PronySeries::Term& term : three_terms.terms) {
     solid.relaxation_times.push_back(term.time);
     solid.relaxation_moduli.push_back(term.modulus);
   }
-  const double truth = solve(solid).rolling_resistance;
-  int outside = 0;
-  for (std::uint64_t draw = 1; draw <= 10; ++draw) {
-    const DrawnTest test = drawn(0.02, draw);
-    for (const bool creep : {false, true}) {
-      RollingScene scene = solid;
-      scene.static_shear_modulus.reset();
-      static_cast<MaterialInputs&>(scene) = [&] {
-        MaterialInputs layer =
-            relaxation_curve(test.times, creep ? relaxation_of_creep(test.times, test.creep) : test.relaxation);
+  int outside = 0, all = 0;
+  for (const double speed : {0.01, 0.1, 1.0}) {
+    solid.speed = speed;
+    const double truth = solve(solid).rolling_resistance;
+    for (std::uint64_t draw = 1; draw <= 10; ++draw) {
+      const DrawnTest test = drawn(0.02, draw);
+      for (const auto& moduli : {test.relaxation, relaxation_of_creep(test.times, test.creep)}) {
+        MaterialInputs layer = relaxation_curve(test.times, moduli);
         layer.poisson_ratio = solid.poisson_ratio;
-        return layer;
-      }();
-      const RollingSolution found = solve(scene);
-      REQUIRE(found.status == Status::converged);
-      const double missed = std::abs(found.rolling_resistance - truth);
-      CAPTURE(draw, creep, missed / truth, found.rolling_resistance_error / truth);
-      CHECK(missed < 2 * found.rolling_resistance_error);
-      CHECK(found.rolling_resistance_error < 0.3 * truth);
-      outside += missed > found.rolling_resistance_error;
+        const RollingSolution found = solve(with_material(solid, layer));
+        REQUIRE(found.status == Status::converged);
+        const double missed = std::abs(found.rolling_resistance - truth) / truth;
+        CAPTURE(speed, draw, missed, found.rolling_resistance_error / truth);
+        CHECK(found.rolling_resistance_error < 0.5 * truth);
+        CHECK(missed < 2 * found.rolling_resistance_error / truth);
+        outside += missed * truth > found.rolling_resistance_error;
+        ++all;
+      }
     }
   }
-  CHECK(outside <= 2);  // of 20
+  CAPTURE(outside, all);
+  CHECK(outside <= 3);  // of 60
 }
