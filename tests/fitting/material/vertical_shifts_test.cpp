@@ -55,12 +55,12 @@ int false_ones(int tables, MaterialForm form, bool known) {
 
 }  // namespace
 
-TEST_CASE("rows without b_T are given none, in 200 drawn tables", "[fitting][free_shifts][vertical][long]") {
-  // Fails where the least AICc decides: it then takes b_T in some of a hundred tables.
+TEST_CASE("rows without b_T are given none, in forty drawn tables", "[fitting][free_shifts][vertical][long]") {
+  // Fails where the least AICc decides: it then takes b_T in some of a hundred tables. (Of 50 each none had one.)
   for (const bool known : {true, false})
     for (const MaterialForm form : {MaterialForm::fractional_zener, MaterialForm::prony}) {
       CAPTURE(known, name_of(form));
-      CHECK(false_ones(50, form, known) == 0);
+      CHECK(false_ones(10, form, known) == 0);
     }
 }
 
