@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/material/shift_table.hpp"
 #include "core/messages/require.hpp"
 
 namespace rollres {
@@ -42,7 +41,7 @@ TemperatureShift shift_of(const MaterialInputs& layer) {
 
 /// What one list of a table says of a temperature over what it says of the reference.
 double table_ratio(const TemperatureShift& shift, const std::vector<double>& factors, double temperature) {
-  const auto at = [&](double there) { return table_factor(shift.table.temperatures, factors, there); };
+  const TableFactors at(shift.table.temperatures, factors);
   return at(temperature) / at(shift.reference);
 }
 
@@ -76,6 +75,22 @@ double shift_factor(const TemperatureShift& shift, double temperature) {
   }
   require(shift.c2 + above > 0, "temperature", temperature, "must be above the reference less c2 for WLF");
   return std::pow(10, -shift.c1 * above / (shift.c2 + above));
+}
+
+ShiftFactors::ShiftFactors(const TemperatureShift& shift) : shift_(shift) {
+  const ShiftTable& table = shift.table;
+  if (shift.law == ShiftLaw::table) times_.emplace(table.temperatures, table.factors);
+  if (!table.moduli.empty()) moduli_.emplace(table.temperatures, table.moduli);
+  if (times_) time_at_reference_ = (*times_)(shift.reference);
+  if (moduli_) modulus_at_reference_ = (*moduli_)(shift.reference);
+}
+
+double ShiftFactors::time(double temperature) const {
+  return times_ ? (*times_)(temperature) / time_at_reference_ : shift_factor(shift_, temperature);
+}
+
+double ShiftFactors::modulus(double temperature) const {
+  return moduli_ ? (*moduli_)(temperature) / modulus_at_reference_ : 1;
 }
 
 }  // namespace rollres

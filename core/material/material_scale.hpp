@@ -5,6 +5,9 @@
 /// Time-temperature superposition: b(T) G*(omega, T) = G*(a(T) omega, T0) with the reference temperature T0, for an
 /// entropic rubber b = T0/T (Ferry 1980, Viscoelastic Properties of Polymers, chapter 11).
 
+#include <optional>
+
+#include "core/material/shift_table.hpp"
 #include "core/scene/material_inputs.hpp"
 
 namespace rollres {
@@ -51,5 +54,19 @@ double shift_factor(const TemperatureShift& shift, double temperature);
 
 /// b(T), that at T over that at T0; 1 without a table of b(T). @throws as above
 double modulus_factor(const TemperatureShift& shift, double temperature);
+
+/// Both at many temperatures: what a table asks of its rows is worked out once.
+class ShiftFactors {
+ public:
+  /// @param shift  lives longer than this   @throws as above, if T0 is beyond a table
+  explicit ShiftFactors(const TemperatureShift& shift);
+  double time(double temperature) const;     ///< a(T), @throws as above
+  double modulus(double temperature) const;  ///< b(T), @throws as above
+
+ private:
+  const TemperatureShift& shift_;
+  std::optional<TableFactors> times_, moduli_;
+  double time_at_reference_ = 1, modulus_at_reference_ = 1;
+};
 
 }  // namespace rollres

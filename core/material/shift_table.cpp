@@ -40,11 +40,14 @@ double slope_at(const std::vector<Row>& rows, std::size_t i) {
 
 }  // namespace
 
-double table_factor(const std::vector<double>& temperatures, const std::vector<double>& factors, double temperature) {
-  require(temperatures.size() > 1, "temperature", temperature, "needs a table of two shifts or more");
-  std::vector<Row> rows;
-  for (std::size_t i = 0; i < temperatures.size(); ++i) rows.emplace_back(temperatures[i], std::log(factors[i]));
-  std::sort(rows.begin(), rows.end());
+TableFactors::TableFactors(const std::vector<double>& temperatures, const std::vector<double>& factors) {
+  for (std::size_t i = 0; i < temperatures.size(); ++i) rows_.emplace_back(temperatures[i], std::log(factors[i]));
+  std::sort(rows_.begin(), rows_.end());
+}
+
+double TableFactors::operator()(double temperature) const {
+  const std::vector<Row>& rows = rows_;
+  require(rows.size() > 1, "temperature", temperature, "needs a table of two shifts or more");
   const std::size_t last = rows.size() - 1;
   const auto [lowest, highest] = reach_of_shifts(rows[0].first, rows[1].first, rows[last - 1].first, rows[last].first);
   require(temperature >= lowest && temperature <= highest, "temperature", temperature,

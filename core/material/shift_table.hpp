@@ -12,12 +12,21 @@
 /// rows those of a line over 1/T. So the rows of WLF, VFT and Arrhenius, which are hyperbolas, give these laws
 /// everywhere. As far as a table reaches beyond its ends (core/scene/shift_reach.hpp) it goes on along the slope there.
 
+#include <utility>
 #include <vector>
 
 namespace rollres {
 
-/// @param temperatures  [K], > 0, two at least, different, in any order   @param factors  [1], > 0, as many
-/// @throws std::invalid_argument if the temperature lies beyond the table
-double table_factor(const std::vector<double>& temperatures, const std::vector<double>& factors, double temperature);
+class TableFactors {
+ public:
+  /// @param temperatures  [K], > 0, two at least, different, in any order   @param factors  [1], > 0, as many
+  TableFactors(const std::vector<double>& temperatures, const std::vector<double>& factors);
+
+  /// @param temperature [K]   @throws std::invalid_argument if it lies beyond the table, or this has one row only
+  double operator()(double temperature) const;
+
+ private:
+  std::vector<std::pair<double, double>> rows_;  // temperatures, ascending, with the logarithms of their factors
+};
 
 }  // namespace rollres

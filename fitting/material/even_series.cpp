@@ -19,8 +19,9 @@ struct Span {
 
 Span reduced_frequencies(const std::vector<MeasuredModulus>& data, const TemperatureShift& shift) {
   Span span;
+  const ShiftFactors factors(shift);
   for (const MeasuredModulus& row : data) {
-    const double omega = row.angular_frequency * shift_factor(shift, row.temperature);
+    const double omega = row.angular_frequency * factors.time(row.temperature);
     span.lowest = std::min(span.lowest, omega);
     span.highest = std::max(span.highest, omega);
   }
@@ -47,10 +48,11 @@ EvenSeries series_at_times(const std::vector<MeasuredModulus>& data, const Tempe
   const Eigen::Index terms = std::ssize(times);
   Eigen::MatrixXd a(2 * std::ssize(data), terms + 1);
   Eigen::VectorXd b(2 * std::ssize(data));
+  const ShiftFactors factors(shift);
   Eigen::Index row = 0;
   for (const MeasuredModulus& measured : data) {
-    const double omega = measured.angular_frequency * shift_factor(shift, measured.temperature);
-    const double scale = 1 / modulus_factor(shift, measured.temperature);
+    const double omega = measured.angular_frequency * factors.time(measured.temperature);
+    const double scale = 1 / factors.modulus(measured.temperature);
     for (Eigen::Index j = 0; j < terms; ++j) {
       const std::complex<double> unit =
           scale * complex_modulus(PronySeries{0, {{1, times[static_cast<std::size_t>(j)]}}}, omega);

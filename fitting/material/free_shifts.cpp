@@ -203,8 +203,9 @@ std::string SuperpositionTest::in_words() const {
 }
 
 std::vector<MeasuredModulus> times_vertical_shifts(std::vector<MeasuredModulus> data, const TemperatureShift& shift) {
+  const ShiftFactors factors(shift);
   for (MeasuredModulus& row : data) {
-    const double factor = modulus_factor(shift, row.temperature);
+    const double factor = factors.modulus(row.temperature);
     row.storage *= factor;
     row.loss *= factor;
   }
@@ -238,13 +239,14 @@ SuperpositionTest superposition_test(const std::vector<MeasuredModulus>& data,
 std::string without_overlap(const std::vector<MeasuredModulus>& data, const TemperatureShift& shift) {
   const std::vector<double>& temperatures = shift.table.temperatures;
   const auto rows = rows_at(data, temperatures);
+  const ShiftFactors factors(shift);
   std::string pairs;
   for (std::size_t i = 0; i + 1 < rows.size(); ++i) {
     double slowest = std::numeric_limits<double>::infinity(), fastest = 0;
     for (const MeasuredModulus& row : rows[i])
-      slowest = std::min(slowest, row.angular_frequency * shift_factor(shift, row.temperature));
+      slowest = std::min(slowest, row.angular_frequency * factors.time(row.temperature));
     for (const MeasuredModulus& row : rows[i + 1])
-      fastest = std::max(fastest, row.angular_frequency * shift_factor(shift, row.temperature));
+      fastest = std::max(fastest, row.angular_frequency * factors.time(row.temperature));
     if (fastest < slowest)
       pairs += message_text<3>(pairs.empty() ? "" : ", ", celsius_of(temperatures[i]), " and ",
                                celsius_of(temperatures[i + 1]), " degC");

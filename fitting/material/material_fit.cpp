@@ -37,10 +37,11 @@ std::pair<double, FractionalZener> best_at(const std::vector<MeasuredModulus>& d
                                            double theta, double order) {
   Eigen::MatrixXd a(2 * std::ssize(data), 2);
   Eigen::VectorXd b(2 * std::ssize(data));
+  const ShiftFactors factors(shift);
   Eigen::Index row = 0;
   for (const MeasuredModulus& measured : data) {
-    const double omega = measured.angular_frequency * shift_factor(shift, measured.temperature);
-    const double scale = 1 / modulus_factor(shift, measured.temperature);
+    const double omega = measured.angular_frequency * factors.time(measured.temperature);
+    const double scale = 1 / factors.modulus(measured.temperature);
     const std::complex<double> z = std::pow(std::complex<double>(0, omega * theta), order),
                                unit = scale * (1.0 - 1.0 / (1.0 + z));
     a.row(row) << scale / measured.storage_deviation, unit.real() / measured.storage_deviation;

@@ -113,10 +113,11 @@ FitProblem material_problem(const std::vector<MeasuredModulus>& data, std::vecto
   const auto values = [data, modulus, shift = options.shift, free = options.free_shifts](const FitPoint& point) {
     Eigen::VectorXd moduli(2 * std::ssize(data));
     const TemperatureShift here = shift_at(shift, point, free);
+    const ShiftFactors factors(here);
     Eigen::Index row = 0;
     for (const MeasuredModulus& measured : data) {
-      const auto value = modulus(point, measured.angular_frequency * shift_factor(here, measured.temperature)) /
-                         modulus_factor(here, measured.temperature);
+      const auto value = modulus(point, measured.angular_frequency * factors.time(measured.temperature)) /
+                         factors.modulus(measured.temperature);
       moduli[row++] = value.real();
       moduli[row++] = value.imag();
     }
@@ -144,10 +145,11 @@ MaterialFit fitted_material(const std::vector<MeasuredModulus>& data, const std:
 
 MasterCurve master_curve_of(const std::vector<MeasuredModulus>& data, const TemperatureShift& shift) {
   MasterCurve curve;
+  const ShiftFactors factors(shift);
   for (const MeasuredModulus& row : data) {
-    const double omega = row.angular_frequency * shift_factor(shift, row.temperature);
+    const double omega = row.angular_frequency * factors.time(row.temperature);
     curve.frequencies.push_back(omega / (2 * std::numbers::pi));
-    const double factor = modulus_factor(shift, row.temperature);
+    const double factor = factors.modulus(row.temperature);
     curve.storage.push_back(factor * row.storage);
     curve.loss.push_back(factor * row.loss);
   }

@@ -57,16 +57,17 @@ Slopes series_slopes(const std::vector<MeasuredModulus>& data, const PronySeries
                 Eigen::VectorXd::Constant(columns, RollingSolution::absent)};
   const Eigen::Index moduli = std::ssize(series.terms) + (series.static_modulus > 0 ? 1 : 0);
   const TemperatureShift here = shift_at(options.shift, point, options.free_shifts);
+  const ShiftFactors factors(here);
   for (Eigen::Index row = 0; row < rows; row += 2) {
     const MeasuredModulus& measured = data[static_cast<std::size_t>(row / 2)];
-    const double omega = measured.angular_frequency * shift_factor(here, measured.temperature);
+    const double omega = measured.angular_frequency * factors.time(measured.temperature),
+                 scale = 1 / factors.modulus(measured.temperature);
     for (Eigen::Index j = 0; j < moduli; ++j) {
       const Eigen::Index term = j - (moduli - std::ssize(series.terms));
       const std::complex<double> unit =
           term < 0 ? 1
                    : complex_modulus(PronySeries{0, {{1, series.terms[static_cast<std::size_t>(term)].time}}}, omega);
-      const double size =
-          problem.parameters[static_cast<std::size_t>(j)].variable.size / modulus_factor(here, measured.temperature);
+      const double size = scale * problem.parameters[static_cast<std::size_t>(j)].variable.size;
       slopes.derivatives(row, j) = unit.real() * size;
       slopes.derivatives(row + 1, j) = unit.imag() * size;
     }
@@ -269,11 +270,11 @@ TemperatureShift best_shift(const std::vector<MeasuredModulus>& data, const Mate
     try {
       const TemperatureShift here = shift_of(point);
       const PronySeries series = even_series(data, here, basis.times, basis.beyond).series;
+      const ShiftFactors factors(here);
       Eigen::Index row = 0;
       for (const MeasuredModulus& measured : data) {
-        const auto value =
-            complex_modulus(series, measured.angular_frequency * shift_factor(here, measured.temperature)) /
-            modulus_factor(here, measured.temperature);
+        const auto value = complex_modulus(series, measured.angular_frequency * factors.time(measured.temperature)) /
+                           factors.modulus(measured.temperature);
         prediction.values[row++] = value.real();
         prediction.values[row++] = value.imag();
       }

@@ -71,20 +71,20 @@ TEST_CASE("between the rows of a measured table nothing overshoots", "[core][mat
   const std::vector<double> temperatures{280, 290, 300, 310, 311, 340}, factors{10, 10, 1, 0.9, 0.01, 0.01};
   double before = 10;
   for (double temperature = 280; temperature <= 340; temperature += 0.25) {
-    const double factor = table_factor(temperatures, factors, temperature);
+    const double factor = TableFactors(temperatures, factors)(temperature);
     CHECK(factor <= before * (1 + 1e-12));
     CHECK(factor >= 0.01 * (1 - 1e-12));
     if (temperature <= 290) CHECK(factor == Approx(10));
     before = factor;
   }
   for (std::size_t i = 0; i < temperatures.size(); ++i)
-    CHECK(table_factor(temperatures, factors, temperatures[i]) == Approx(factors[i]).epsilon(1e-14));
+    CHECK(TableFactors(temperatures, factors)(temperatures[i]) == Approx(factors[i]).epsilon(1e-14));
   const std::vector<double> turns{1, 3, 2, 2.5, 2.4, 7};  // up and down: each piece between its rows
   for (double temperature = 280; temperature <= 340; temperature += 0.25) {
     const auto above = std::lower_bound(temperatures.begin() + 1, temperatures.end() - 1, temperature);
     const auto [low, high] = std::minmax(turns[static_cast<std::size_t>(above - temperatures.begin()) - 1],
                                          turns[static_cast<std::size_t>(above - temperatures.begin())]);
-    const double factor = table_factor(temperatures, turns, temperature);
+    const double factor = TableFactors(temperatures, turns)(temperature);
     CHECK(factor >= low * (1 - 1e-12));
     CHECK(factor <= high * (1 + 1e-12));
   }
@@ -98,12 +98,12 @@ TEST_CASE("a table of shifts reaches half a step beyond its last rows, 1 K at mo
   for (const double temperature : temperatures) factors.push_back(shift_factor(law, temperature));
   // The line misses the law by (ln a)"/2 = B/(T - T1)^3 over 1 K^2: 5e-4 of a at 353 K, and 0.04 of that of 0.016 at
   // 240 K.
-  CHECK(table_factor(temperatures, factors, 353.166) == Approx(shift_factor(law, 353.166)).epsilon(1e-6));
-  CHECK(table_factor(temperatures, factors, 354.15) == Approx(shift_factor(law, 354.15)).epsilon(6e-4));
-  CHECK(table_factor(temperatures, factors, 239.8) == Approx(shift_factor(law, 239.8)).epsilon(7e-4));
-  CHECK(table_factor(temperatures, factors, 354.15) < table_factor(temperatures, factors, 353.15));
-  CHECK_THROWS(table_factor(temperatures, factors, 354.2));
-  CHECK_THROWS(table_factor(temperatures, factors, 239.7));
+  CHECK(TableFactors(temperatures, factors)(353.166) == Approx(shift_factor(law, 353.166)).epsilon(1e-6));
+  CHECK(TableFactors(temperatures, factors)(354.15) == Approx(shift_factor(law, 354.15)).epsilon(6e-4));
+  CHECK(TableFactors(temperatures, factors)(239.8) == Approx(shift_factor(law, 239.8)).epsilon(7e-4));
+  CHECK(TableFactors(temperatures, factors)(354.15) < TableFactors(temperatures, factors)(353.15));
+  CHECK_THROWS(TableFactors(temperatures, factors)(354.2));
+  CHECK_THROWS(TableFactors(temperatures, factors)(239.7));
 }
 
 TEST_CASE("b_T of a table divides moduli, a_T shifts frequencies: b_T G*(omega, T) = G*(a_T omega, T0)",
