@@ -112,9 +112,10 @@ SpectrumFit spectrum_of(const RelativeRows& rows) {
   SpectrumFit found = likelier_spectrum(rows);
   constexpr int rounds = 2;
   for (int round = 0; round < rounds; ++round) {
-    const Eigen::VectorXd noise = noise_by_frequency(rows, found.series);
-    if ((noise.array() == 1).all()) break;
-    found = likelier_spectrum(rows.with_noise(noise));
+    const RowNoise noise = noise_by_frequency(rows, found.series);
+    if ((noise.deviations.array() == 1).all()) break;
+    found = likelier_spectrum(rows.with_noise(noise.deviations));
+    found.open.spread *= noise.widening;
   }
   return found;
 }

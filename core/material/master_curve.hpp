@@ -7,10 +7,11 @@
 ///  - a smooth spectrum (smooth_spectrum.hpp): no more bends of its logarithm than the rows ask for.
 /// The one is taken on which the rows are more likely (Bayes' factor), with an advantage for few terms.
 ///
-/// What is left open: the rows' errors are taken as independent, of the size of the residuals; the error of whatever is
-/// linear in a small change of the spectrum is then normally distributed. Storage and loss that do not belong together,
-/// by the relations of Kramers and Kronig, are residuals of any spectrum and widen it. Where the other kind of spectrum
-/// is about as likely, the difference of the two is open as well.
+/// What is left open: the rows' errors are taken as of the size of the residuals at like frequencies, and as
+/// independent but for what the residuals of neighbours have in common (row_noise.hpp); the error of whatever is linear
+/// in a small change of the spectrum is then normally distributed. Storage and loss that do not belong together, by the
+/// relations of Kramers and Kronig, are residuals of any spectrum and widen it. Where the other kind of spectrum is
+/// about as likely, the difference of the two is open as well.
 /// @see Honerkamp and Weese (1989), Macromolecules 22, 4372, for the regularised spectrum; Baumgaertel and Winter
 ///      (1989), Rheologica Acta 28, 511, for free times; MacKay (1992), Neural Computation 4, 415, for Bayes' factor
 ///      and the weight of smoothness

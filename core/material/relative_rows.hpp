@@ -24,7 +24,8 @@ class RelativeRows {
   RelativeRows with_noise(const Eigen::VectorXd& noise) const;
 
   Eigen::Index rows() const { return omega_.size(); }
-  const Eigen::VectorXd& frequencies() const { return omega_; }  ///< of the rows as they came [rad/s]
+  const Eigen::VectorXd& frequencies() const { return omega_; }         ///< of the rows as they came [rad/s]
+  const std::vector<Eigen::Index>& in_order() const { return order_; }  ///< by ascending frequencies
   /// Of G' and of G", or of G(t): once or twice the rows.
   Eigen::Index equations() const { return wanted_.size(); }
   double lowest() const { return omega_.minCoeff(); }   ///< [rad/s]

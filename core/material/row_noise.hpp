@@ -3,7 +3,8 @@
 /// How much the rows of a master curve scatter at each frequency.
 ///
 /// Measured moduli are less certain where the sample is stiff or the shift between temperatures is large. A row far
-/// from the frequencies of a contact shall not tell how certain those near it are.
+/// from the frequencies of a contact shall not tell how certain those near it are. And residuals that go together from
+/// row to row are not independent: those of storage and loss that no passive material has keep one sign over decades.
 
 #include <Eigen/Core>
 
@@ -12,10 +13,17 @@ namespace rollres {
 class RelativeRows;
 struct PronySeries;
 
-/// Deviations of the rows' errors over the usual one, one for each equation, by the residuals of rows at like
-/// frequencies. All 1 where a level that depends on the frequency does not foretell the left-out rows better than one
-/// for all does.
+struct RowNoise {
+  /// Deviations of the rows' errors over the usual one, one for each equation.
+  Eigen::VectorXd deviations;
+  /// What rows of these deviations leave open is so many times what their residuals say: by (1 + r)/(1 - r), its root,
+  /// where r is the correlation of neighbours beyond chance.
+  double widening = 1;
+};
+
+/// By the residuals at like frequencies. All alike where a level that depends on the frequency does not foretell the
+/// left-out rows better than one for all does, and where neighbours have nothing in common.
 /// @param rows  all equally certain
-Eigen::VectorXd noise_by_frequency(const RelativeRows& rows, const PronySeries& series);
+RowNoise noise_by_frequency(const RelativeRows& rows, const PronySeries& series);
 
 }  // namespace rollres

@@ -3,9 +3,11 @@
 #include <optional>
 #include <ostream>
 
+#include "core/estimate/grid_choice.hpp"
 #include "core/material/material_functions.hpp"
 #include "core/model/scene_rules.hpp"
 #include "core/numerics/solution_limits.hpp"
+#include "core/solve/resolve.hpp"
 #include "studies/figures/material_chart.hpp"
 #include "studies/figures/material_export.hpp"
 #include "studies/program/commands.hpp"
@@ -50,14 +52,25 @@ std::vector<std::string> tables_in_words(const MaterialArguments& arguments) {
   return words;
 }
 
-void print_words(std::ostream& out, const MaterialArguments& arguments, const MaterialInputs& layer,
-                 const CreepSpectrum& creep) {
+/// "about 194 Hz", of V over 2 pi and the half-width of an estimate; empty where none is to be had.
+std::string contact_in_words(const RollingScene& scene) {
+  try {
+    const double half_width = estimate_contact(resolve(scene)).half_width;
+    return "about " + short_number(scene.speed / (2 * std::numbers::pi * half_width), 3) + " Hz";
+  } catch (const std::domain_error&) {
+    return {};
+  }
+}
+
+void print_words(std::ostream& out, const MaterialArguments& arguments, const RollingScene& layer,
+                 const CreepSpectrum& creep, const std::string& contact) {
   out << "material     " << name_of(layer.material) << '\n';
   for (const std::string& table : tables_in_words(arguments)) out << "table        " << table << '\n';
   if (const std::string route = material_route(layer); !route.empty()) out << "route        " << route << '\n';
   for (const std::string& warning : material_warnings(layer)) out << "warning      " << warning << '\n';
   out << "at rest      G = " << readable(1 / creep.at_rest(), "Pa") << '\n'
       << "at once      G = " << readable(1 / creep.instantaneous, "Pa") << '\n';
+  if (!contact.empty()) out << "contact      " << contact << '\n';
   if (creep.terms.empty()) return;
   out << "slow motion  G\"/(ω G') = " << readable(slow_loss_time(creep), "s") << '\n';
   for (const LossPeak& peak : loss_peaks(creep))
@@ -67,14 +80,22 @@ void print_words(std::ostream& out, const MaterialArguments& arguments, const Ma
 
 constexpr auto material_formats = table_formats_and(material_export_formats);
 
-/// Draws NAME_moduli and NAME_creep; returns the SVG files.
-std::vector<std::filesystem::path> draw_material(const MaterialInputs& layer, const std::filesystem::path& name) {
+/// Draws the pictures of a material, NAME_moduli and so on; returns the SVG files.
+/// @param contact  what is said of the scene's contact
+std::vector<std::filesystem::path> draw_material(const MaterialInputs& layer, const std::filesystem::path& name,
+                                                 const std::string& contact) {
   const std::string base = name.filename().string();
-  const auto drawn = [&](const char* ending, const ChartRequest& request) {
-    return draw_chart(request, name.parent_path() / (base + ending)).svg;
+  std::vector<std::filesystem::path> files;
+  const auto draw = [&](const char* ending, const ChartRequest& request) {
+    files.push_back(draw_chart(request, name.parent_path() / (base + ending)).svg);
   };
-  return {drawn("_moduli", moduli_chart(layer, base + ": storage and loss")),
-          drawn("_creep", creep_chart(layer, base + ": creep and relaxation"))};
+  ChartRequest moduli = moduli_chart(layer, base + ": storage and loss");
+  if (!contact.empty()) moduli.subtitle += (moduli.subtitle.empty() ? "" : "; ") + ("this scene's contact: " + contact);
+  draw("_moduli", moduli);
+  draw("_creep", creep_chart(layer, base + ": creep and relaxation"));
+  if (!creep_spectrum(layer).terms.empty()) draw("_spectrum", spectrum_chart(layer, base + ": spectrum of relaxation"));
+  if (is_measured_curve(layer.material)) draw("_misfit", misfit_chart(layer, base + ": what the fit misses"));
+  return files;
 }
 
 void run_material(const MaterialArguments& arguments, Session& session) {
@@ -89,9 +110,10 @@ void run_material(const MaterialArguments& arguments, Session& session) {
     return;
   }
   const CreepSpectrum& creep = *found;
+  const std::string contact = contact_in_words(scene);
   const bool exports = std::count(material_export_formats.begin(), material_export_formats.end(), arguments.format) > 0;
   if (arguments.format == "table") {
-    print_words(session.out, arguments, scene, creep);
+    print_words(session.out, arguments, scene, creep, contact);
     session.out << '\n';
   }
   if (exports)
@@ -99,7 +121,8 @@ void run_material(const MaterialArguments& arguments, Session& session) {
   else
     write_table(session.out, moduli_table(creep, arguments.per_decade), arguments.format);
   if (arguments.chart.empty()) return;
-  for (const auto& file : draw_material(scene, arguments.chart)) session.err << "drawn " << file.string() << '\n';
+  for (const auto& file : draw_material(scene, arguments.chart, contact))
+    session.err << "drawn " << file.string() << '\n';
 }
 
 }  // namespace
@@ -110,7 +133,8 @@ void add_material(Command& program, Session& session) {
   command->add_option("scene SCENE", arguments.scene, "scene file (JSON)")->required();
   command->add_option("--set KEY=VALUE", arguments.overrides, "replace an input, in SI or with a unit; may be repeated")
       ->one_value_each();
-  command->add_option("--out PATH", arguments.chart, "draw pictures PATH_moduli and PATH_creep");
+  command->add_option("--out PATH", arguments.chart,
+                      "draw pictures PATH_moduli, PATH_creep, PATH_spectrum and, of a table, PATH_misfit");
   command
       ->add_option("--per-decade N", arguments.per_decade, "rows of the table for each decade of frequency; default: 1")
       ->between(1, 100);

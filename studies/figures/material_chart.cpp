@@ -1,6 +1,8 @@
 #include "studies/figures/material_chart.hpp"
 
+#include <Eigen/Core>
 #include <algorithm>
+#include <array>
 #include <numbers>
 
 #include "core/material/master_curve.hpp"
@@ -75,6 +77,14 @@ ChartRequest empty_chart(const std::string& title, ChartAxis x, const ScaledUnit
           .mark_peaks = false};
 }
 
+/// Two deviations of storage and loss that a table leaves open [Pa]. @param omega at its own temperature
+std::array<double, 2> left_open(const OpenSpectrum& open, double omega) {
+  const Eigen::Map<const Eigen::ArrayXd> times(open.times.data(), std::ssize(open.times));
+  const Eigen::ArrayXd turned = omega * times, elastic = 1 - 1 / (1 + turned.square()),
+                       lossy = times.isInf().select(0, turned / (1 + turned.square()));
+  return {2 * open.deviation(elastic), 2 * open.deviation(lossy)};
+}
+
 ScaledUnit unit_of(const CreepSpectrum& creep) {
   return scaled_unit_logarithmic("Pa", 1 / creep.at_rest(), 1 / creep.instantaneous);
 }
@@ -87,11 +97,22 @@ ChartRequest moduli_chart(const MaterialInputs& layer, const std::string& title)
   const ScaledUnit unit = unit_of(creep);
   ChartRequest request = empty_chart(title, {.name = "frequency", .unit = "Hz", .logarithmic = true}, unit);
   ChartCurve storage{"storage modulus", {}}, loss{"loss modulus", {}};
+  const double shift = time_shift(layer), scale = modulus_shift(layer) * unit.factor;
+  const auto fit = is_measured_curve(layer.material) ? shared_master_curve_fit(layer) : nullptr;
+  const auto with_band = [](double frequency, double modulus, double open) {
+    constexpr double lowest = 0.02;  // of the curve, on an axis of logarithms
+    return ChartPoint{frequency, modulus, true, std::max(modulus - open, lowest * modulus), modulus + open};
+  };
   for (const double frequency : rows.places(creep)) {
     const std::complex<double> modulus = 1.0 / creep(turn * frequency) / unit.factor;
     storage.points.push_back({frequency, modulus.real()});
     loss.points.push_back({frequency, modulus.imag()});
+    if (!fit || frequency < rows.lowest || frequency > rows.highest) continue;
+    const auto [of_storage, of_loss] = left_open(fit->open, turn * frequency * shift);
+    storage.points.back() = with_band(frequency, modulus.real(), of_storage / scale);
+    loss.points.back() = with_band(frequency, modulus.imag(), of_loss / scale);
   }
+  if (fit) request.areas = "left open by the table (95 %)";
   add_curves(request, {storage, loss}, rows.lowest, rows.highest);
   if (rows.loss.empty()) return request;
   request.subtitle = "marks: the table's rows";
@@ -125,6 +146,49 @@ ChartRequest creep_chart(const MaterialInputs& layer, const std::string& title) 
   for (std::size_t row = 0; row < rows.storage.size(); ++row)
     marks.points.push_back({time(rows.frequencies[row]), rows.storage[row] / unit.factor});
   request.curves.push_back(std::move(marks));
+  return request;
+}
+
+ChartRequest misfit_chart(const MaterialInputs& layer, const std::string& title) {
+  const MasterCurve curve = measured_curve(layer);
+  const PronySeries series = shared_master_curve_fit(layer)->series;
+  ChartRequest request{.title = title,
+                       .subtitle = shared_master_curve_fit(layer)->in_words(),
+                       .x = {.name = curve.is_relaxation() ? "time" : "frequency",
+                             .unit = curve.is_relaxation() ? "s" : "Hz",
+                             .logarithmic = true,
+                             .margin = 0.02},
+                       .y = {.name = "fit less row, of the row", .unit = "%"},
+                       .curves = {{curve.is_relaxation() ? "modulus" : "storage modulus", {}}},
+                       .lines = false,
+                       .mark_peaks = false};
+  if (!curve.is_relaxation()) request.curves.push_back({"loss modulus", {}});
+  for (const std::size_t row : rows_in_order(curve)) {
+    const double omega = turn * curve.frequencies[row], x = curve.is_relaxation() ? 1 / omega : curve.frequencies[row];
+    const auto add = [&](std::size_t which, double fitted, double measured) {
+      if (measured > 0) request.curves[which].points.push_back({x, 100 * (fitted / measured - 1)});
+    };
+    if (curve.is_relaxation()) {
+      add(0, relaxation_modulus(series, 1 / omega), curve.storage[row]);
+      continue;
+    }
+    const std::complex<double> fitted = complex_modulus(series, omega);
+    add(0, fitted.real(), curve.storage[row]);
+    add(1, fitted.imag(), curve.loss[row]);
+  }
+  return request;
+}
+
+ChartRequest spectrum_chart(const MaterialInputs& layer, const std::string& title) {
+  const RelaxationSpectrum relaxation = relaxation_spectrum(creep_spectrum(layer));
+  const ScaledUnit unit = unit_of(creep_spectrum(layer));
+  ChartRequest request = empty_chart(title, {.name = "relaxation time", .unit = "s", .logarithmic = true}, unit);
+  request.subtitle = "moduli of the terms of its Prony series";
+  request.lines = false;
+  ChartCurve terms{"", {}};
+  for (const RelaxationSpectrum::Term& term : relaxation.terms)
+    if (term.modulus > 0) terms.points.push_back({term.time, term.modulus / unit.factor});
+  request.curves.push_back(std::move(terms));
   return request;
 }
 

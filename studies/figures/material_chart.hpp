@@ -8,10 +8,16 @@
 
 namespace rollres {
 
-/// G' and G" against frequency, at the layer's temperature.
+/// G' and G" against frequency, at the layer's temperature; of a table with the bands that it leaves open.
 ChartRequest moduli_chart(const MaterialInputs& layer, const std::string& title);
 
 /// 1/J(t) and G(t) against time, at the layer's temperature.
 ChartRequest creep_chart(const MaterialInputs& layer, const std::string& title);
+
+/// What the fit of a measured curve misses at each row, at the table's own temperature.
+ChartRequest misfit_chart(const MaterialInputs& layer, const std::string& title);
+
+/// The moduli of relaxation over their times, at the layer's temperature. @param layer  not elastic
+ChartRequest spectrum_chart(const MaterialInputs& layer, const std::string& title);
 
 }  // namespace rollres
