@@ -4,8 +4,8 @@
 #include <numeric>
 
 #include "core/material/material.hpp"
-#include "core/material/material_functions.hpp"
 #include "core/material/material_scale.hpp"
+#include "core/material/prony_series.hpp"
 
 namespace rollres {
 
@@ -39,31 +39,42 @@ void draw_fractional(Dice& dice, double contact_time, MaterialInputs& layer) {
   layer.creep_time = rounded(contact_time * dice.log_uniform(1e-4, 1e4));
 }
 
-/// Of a fractional Zener solid, measured to four digits: moduli over frequency, or in one of three over time.
-void draw_table(Dice& dice, double contact_time, MaterialInputs& layer) {
+/// Of a fractional Zener solid, measured to four digits.
+void draw_master_curve(Dice& dice, double contact_time, MaterialInputs& layer) {
   draw_fractional(dice, contact_time, layer);
   layer.fractional_order = rounded(dice.uniform(0.15, 0.6));
   const CreepSpectrum creep = creep_spectrum(layer);
-  const RelaxationSpectrum relaxation = relaxation_spectrum(creep);
-  const bool over_time = dice.choice(3) == 0;
   const int rows = 15 + dice.choice(36);
   const double decades = dice.uniform(6, 12), slowest = shortest_time(dice, 1 / contact_time, decades);
   for (int i = 0; i < rows; ++i) {
     const double frequency = slowest * std::pow(10.0, decades * i / (rows - 1));  // [rad/s]
-    if (over_time) {
-      layer.relaxation_times.push_back(rounded(1 / frequency));
-      layer.relaxation_moduli.push_back(rounded(relaxation_modulus(relaxation, layer.relaxation_times.back())));
-      continue;
-    }
     const std::complex<double> modulus = 1.0 / creep(frequency);
     layer.frequencies.push_back(rounded(frequency / 6.283));
     layer.storage_moduli.push_back(rounded(modulus.real()));
     layer.loss_moduli.push_back(rounded(modulus.imag()));
   }
-  layer.material = over_time ? MaterialModel::relaxation_curve : MaterialModel::master_curve;
+  layer.material = MaterialModel::master_curve;
   layer.static_shear_modulus.reset();
   layer.stiffening = layer.creep_time = 0;
   layer.fractional_order = 1;
+}
+
+/// Of a Prony solid, measured to four digits.
+void draw_relaxation_curve(Dice& dice, double contact_time, MaterialInputs& layer) {
+  draw_prony(dice, contact_time, layer);
+  PronySeries series{*layer.static_shear_modulus, {}};
+  for (std::size_t i = 0; i < layer.relaxation_times.size(); ++i)
+    series.terms.push_back({layer.relaxation_moduli[i], layer.relaxation_times[i]});
+  layer.relaxation_times.clear();
+  layer.relaxation_moduli.clear();
+  const int rows = 15 + dice.choice(36);
+  const double decades = dice.uniform(6, 12), shortest = shortest_time(dice, contact_time, decades);
+  for (int i = 0; i < rows; ++i) {
+    layer.relaxation_times.push_back(rounded(shortest * std::pow(10.0, decades * i / (rows - 1))));
+    layer.relaxation_moduli.push_back(rounded(relaxation_modulus(series, layer.relaxation_times.back())));
+  }
+  layer.material = MaterialModel::relaxation_curve;
+  layer.static_shear_modulus.reset();
 }
 
 /// A temperature at which the times are what they were without.
@@ -91,7 +102,10 @@ void draw_material(Dice& dice, double contact_time, MaterialInputs& layer) {
       layer.stiffening = layer.creep_time = 0;
       return;
     case 1:
-      draw_table(dice, contact_time, layer);
+      if (dice.choice(3) == 0)
+        draw_relaxation_curve(dice, contact_time, layer);
+      else
+        draw_master_curve(dice, contact_time, layer);
       break;
     case 2:
     case 3:
