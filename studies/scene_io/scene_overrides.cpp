@@ -114,11 +114,11 @@ std::vector<SceneEntry> override_entries(const std::vector<std::string>& words, 
       meant.clear();
       Json named = Json::object();
       named[own] = word.substr(equals + 1);
-      if (const auto said = value_in(words, prefix + std::string(listed_moduli_key)))
-        named[std::string(listed_moduli_key)] = *said;
+      for (const std::string& key : {std::string(listed_moduli_key), std::string("material")})
+        if (const auto said = value_in(words, prefix + key)) named[key] = *said;
       const Json lists = with_master_curve(named, {}, place);
       for (const auto& [key, value] : lists.items())
-        if (key != listed_moduli_key || !named.contains(key)) meant.push_back({prefix + key, value, place});
+        if (!named.contains(key)) meant.push_back({prefix + key, value, place});
     }
     for (const SceneEntry& one : meant) {
       refuse_unknown_key(one);

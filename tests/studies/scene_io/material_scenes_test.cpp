@@ -140,6 +140,8 @@ TEST_CASE("master_curve_file takes a table of relaxation or of creep where its c
   const std::string moduli = "frequency [Hz],G' [MPa],G'' [MPa]\n1,2,0.1\n10,3,0.2\n";
   CHECK(read(moduli, {"master_curve_file=" + folder.write("j.csv", "t [s],J(t) [1/Pa]\n1,1e-6\n9,2e-6\n").string()})
             .material == MaterialModel::relaxation_curve);
+  CHECK(read(moduli, {"material=relaxation_curve", "master_curve_file=" + (folder / "j.csv").string()})
+            .relaxation_times.size() == 2);
 }
 
 TEST_CASE("tables of relaxation and creep that cannot be are refused by file, row and rule", "[studies][material]") {
