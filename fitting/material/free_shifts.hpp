@@ -39,6 +39,7 @@ struct SuperpositionTest {
   bool holds() const;
   std::string in_words() const;
 };
+
 /// The rows with their moduli times the b_T of a shift, if it has them.
 std::vector<MeasuredModulus> times_vertical_shifts(std::vector<MeasuredModulus> data, const TemperatureShift& shift);
 SuperpositionTest superposition_test(const std::vector<MeasuredModulus>& data, const std::vector<double>& temperatures);

@@ -91,9 +91,10 @@ MaterialFit fit_zener(const std::vector<MeasuredModulus>& data, const MaterialFi
 
 /// Values and predictions times the b_T that were found, as data are where a table gives it.
 void scale_values(MaterialFit& answer, const std::vector<MeasuredModulus>& data) {
+  const ShiftFactors factors(answer.shift);
   for (std::size_t i = 0; i < answer.report.values.size(); ++i) {
     FittedValue& value = answer.report.values[i];
-    const double factor = modulus_factor(answer.shift, data[i / 2].temperature);
+    const double factor = factors.modulus(data[i / 2].temperature);
     for (double* const number : {&value.measured.value, &value.measured.deviation, &value.predicted, &value.band})
       *number *= factor;
   }

@@ -151,9 +151,10 @@ ChartRequest creep_chart(const MaterialInputs& layer, const std::string& title) 
 
 ChartRequest misfit_chart(const MaterialInputs& layer, const std::string& title) {
   const MasterCurve curve = measured_curve(layer);
-  const PronySeries series = shared_master_curve_fit(layer)->series;
+  const auto fit = shared_master_curve_fit(layer);
+  const PronySeries& series = fit->series;
   ChartRequest request{.title = title,
-                       .subtitle = shared_master_curve_fit(layer)->in_words(),
+                       .subtitle = fit->in_words(),
                        .x = {.name = curve.is_relaxation() ? "time" : "frequency",
                              .unit = curve.is_relaxation() ? "s" : "Hz",
                              .logarithmic = true,
@@ -180,8 +181,9 @@ ChartRequest misfit_chart(const MaterialInputs& layer, const std::string& title)
 }
 
 ChartRequest spectrum_chart(const MaterialInputs& layer, const std::string& title) {
-  const RelaxationSpectrum relaxation = relaxation_spectrum(creep_spectrum(layer));
-  const ScaledUnit unit = unit_of(creep_spectrum(layer));
+  const CreepSpectrum creep = creep_spectrum(layer);
+  const RelaxationSpectrum relaxation = relaxation_spectrum(creep);
+  const ScaledUnit unit = unit_of(creep);
   ChartRequest request = empty_chart(title, {.name = "relaxation time", .unit = "s", .logarithmic = true}, unit);
   request.subtitle = "moduli of the terms of its Prony series";
   request.lines = false;

@@ -292,7 +292,6 @@ Json with_own_tables(const Json& object, const std::filesystem::path& folder, co
   const auto named = [&](std::string_view key) { return object.is_object() && object.contains(std::string(key)); };
   const std::string material = "material";
   const bool is_curve = named(material) && object[material] == name_of(MaterialModel::master_curve);
-  if (std::none_of(table_keys.begin(), table_keys.end(), named)) return object;
   const std::vector<std::string> ignored = names_or_none(object, std::string(ignored_columns_key), place);
   Json complete = Json::object();
   const auto add_lists = [&](std::string_view file_key, const auto& inputs, const auto& read) {
@@ -331,22 +330,25 @@ Json with_own_tables(const Json& object, const std::filesystem::path& folder, co
 
 std::vector<TablePart> parts_with_tables(Json& scene) {
   if (!scene.is_object()) return {};
-  std::vector<TablePart> parts{{&scene, ""}};
+  std::vector<TablePart> parts;
+  const auto add = [&](Json& object, const std::string& prefix) {
+    if (std::any_of(table_keys.begin(), table_keys.end(),
+                    [&](std::string_view key) { return object.contains(std::string(key)); }))
+      parts.push_back({&object, prefix});
+  };
+  add(scene, "");
   for (auto& [key, list] : scene.items()) {
     const InputKind* const kind = find_input(key);
     if (!kind || !kind->layers || !list.is_array()) continue;
     for (std::size_t layer = 0; layer < list.size(); ++layer)
-      if (list[layer].is_object()) parts.push_back({&list[layer], key + "[" + std::to_string(layer) + "]."});
+      if (list[layer].is_object()) add(list[layer], key + "[" + std::to_string(layer) + "].");
   }
   return parts;
 }
 
 bool names_tables(const Json& scene) {
   Json copy = scene;
-  for (const TablePart& part : parts_with_tables(copy))
-    for (const std::string_view key : table_keys)
-      if (part.object->contains(std::string(key))) return true;
-  return false;
+  return !parts_with_tables(copy).empty();
 }
 
 Json with_master_curve(const Json& object, const std::filesystem::path& folder, const std::string& place) {

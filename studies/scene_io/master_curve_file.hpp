@@ -103,7 +103,7 @@ std::vector<double> measured_shift_factors(const MeasuredTable& table);
 
 Json read_shift_table(const std::filesystem::path& file, const std::vector<std::string>& ignored = {});
 
-/// What of a scene may name tables: its own layer's inputs, then each further layer's object.
+/// What of a scene names tables: its own layer's inputs, then the objects of further layers.
 struct TablePart {
   Json* object;
   std::string prefix;  ///< of its keys: "coating_layers[0]."

@@ -152,7 +152,8 @@ int line_of_known_names(const std::string& text) {
     bool numbers = false;
     try {
       for (const std::string& cell : cells_of(line, separator_of(line), "")) {
-        numbers = numbers || plain_number(cell);
+        numbers = plain_number(cell).has_value();
+        if (numbers) break;
         known += !cell.empty() && is_measured_name(table_heading(cell).name);
       }
     } catch (const std::invalid_argument&) {  // no line of names
