@@ -18,12 +18,13 @@ Vector coefficients(const InfluenceTable& table, const std::vector<double>& comp
   return values;
 }
 
-InfluenceSpectra transform_coefficients(const InfluenceTable& table, const SurfaceGrid& half, bool lateral,
-                                        bool friction, PaddedConvolution<double>& transform) {
+InfluenceSpectra transform_coefficients(const InfluenceTable& table, const SurfaceGrid& grid, bool lateral,
+                                        bool friction, PaddedSize padded) {
   InfluenceSpectra spectra;
+  PaddedConvolution<double> transform(padded);  // the coefficients are even or odd in y on any grid
   const std::size_t size = transform.size().quarter_size();
-  const int reach_x = half.columns, reach_y = 2 * (half.rows - 1);
-  const double factor = half.cell_area() / transform.size().points();
+  const int reach_x = grid.columns, reach_y = grid.whole_rows() - 1;
+  const double factor = grid.cell_area() / transform.size().points();
   const auto pass = [&](const std::vector<double>& even, Spectrum<double>& of_even, const std::vector<double>* odd,
                         Spectrum<double>* of_odd, const std::vector<double>* second, Spectrum<double>* of_second) {
     Vector values[3];
@@ -68,23 +69,18 @@ InfluenceSpectra transform_coefficients(const InfluenceTable& table, const Surfa
 
 }  // namespace
 
-InfluenceOperator::InfluenceOperator(const ContactModel& model, const InfluenceTable& table, const SurfaceGrid& half,
+InfluenceOperator::InfluenceOperator(const ContactModel& model, const InfluenceTable& table, const SurfaceGrid& grid,
                                      bool friction)
     : model_(model),
-      grid_(half),
+      grid_(grid),
       lateral_(model.dimension == 3),
       friction_(friction),
-      padded_(padded_size(half.columns, half.rows, 1)),
-      transform_(std::make_unique<PaddedConvolution<double>>(padded_)),
+      padded_(padded_size(grid.columns, grid.whole_rows(), 1)),
       coating_table_(table.coating) {
-  spectra_ = transform_coefficients(table, half, lateral_, friction, *transform_);
-  if (!friction) {
-    transform_.reset();
-    even_transform_ = std::make_unique<EvenTransform<double>>(padded_);
-  }
-  self_normal_ = table(Direction::w, Direction::w, 0) * half.cell_area();
+  spectra_ = transform_coefficients(table, grid, lateral_, friction, padded_);
+  self_normal_ = table(Direction::w, Direction::w, 0) * grid.cell_area();
   self_slip_ =
-      (table(Direction::u, Direction::u, 0) - table(Direction::u, Direction::u, 1)) * half.cell_area() / half.spacing_x;
+      (table(Direction::u, Direction::u, 0) - table(Direction::u, Direction::u, 1)) * grid.cell_area() / grid.spacing_x;
 }
 
 InfluenceOperator::~InfluenceOperator() = default;
@@ -109,23 +105,27 @@ KrylovOperator<double>& InfluenceOperator::krylov() const {
   return *double_;
 }
 
+EvenTransform<double>& InfluenceOperator::even_transform() const {
+  if (!even_transform_) even_transform_ = std::make_unique<EvenTransform<double>>(padded_, grid_.folded);
+  return *even_transform_;
+}
+
 Displacements InfluenceOperator::apply(const Vector& pressure, const Vector& shear_x, const Vector& shear_y) const {
   Displacements moved;
   const int columns = grid_.columns + 1;
   if (shear_x.size() == 0) {
-    if (!even_transform_) even_transform_ = std::make_unique<EvenTransform<double>>(padded_);
-    even_transform_->convolve(-pressure, grid_.columns, grid_.rows, spectra_.ww, moved.w, columns);
+    even_transform().convolve(-pressure, grid_.columns, grid_.rows, spectra_.ww, moved.w, columns);
     return moved;
   }
   const InfluenceTerms<double> terms{spectra_.ww, spectra_.of_shear(), spectra_.vw, spectra_.uw,
                                      spectra_.vw, spectra_.uu,         spectra_.uv, spectra_.vv};
   const Vector none;
+  if (!transform_) transform_ = std::make_unique<SurfaceConvolution<double>>(padded_, grid_);
   transform_->convolve({&pressure, lateral_ ? &shear_y : &none, &shear_x, grid_.columns, grid_.rows},
                        [&](const WavenumberBlock<double>& block) { terms.multiply(block, lateral_); },
                        {&moved.w, lateral_ ? &moved.v : nullptr, &moved.u, columns, grid_.rows});
   if (!lateral_ && shear_y.size() > 0) {
-    if (!even_transform_) even_transform_ = std::make_unique<EvenTransform<double>>(padded_);
-    even_transform_->convolve(shear_y, grid_.columns, grid_.rows, spectra_.vv, moved.v, columns);
+    even_transform().convolve(shear_y, grid_.columns, grid_.rows, spectra_.vv, moved.v, columns);
   }
   return moved;
 }

@@ -3,14 +3,14 @@
 /// Surface displacements from surface tractions: convolution with the influence coefficients by fast Fourier
 /// transform on a padded grid.
 ///
-/// On a sphere's half grid p, tau_x, w and u are even in y, tau_y and v odd, so that one complex transform carries all
-/// three tractions and one all three displacements (padded_convolution.hpp). Under a skewed cylinder v answers tau_y
-/// alone, by a transform of its own.
+/// On a folded grid p, tau_x, w and u are even in y, tau_y and v odd, so that one complex transform carries all three
+/// tractions and one all three displacements (padded_convolution.hpp); on a whole one they are any
+/// (plane_convolution.hpp). Under a skewed cylinder v answers tau_y alone, by a transform of its own.
 
 #include <Eigen/Core>
 #include <memory>
 
-#include "core/convolution/padded_convolution.hpp"
+#include "core/convolution/surface_convolution.hpp"
 #include "core/influence/influence.hpp"
 #include "core/model/indenter_shape.hpp"
 #include "core/numerics/vector.hpp"
@@ -36,8 +36,8 @@ struct InfluenceSpectra {
 /// An operator serves one thread at a time (it keeps work space).
 class InfluenceOperator {
  public:
-  /// @param half grid as of ContactProblem   @param friction false: only w from p will be wanted
-  InfluenceOperator(const ContactModel& model, const InfluenceTable& table, const SurfaceGrid& half, bool friction);
+  /// @param grid as of ContactProblem   @param friction false: only w from p will be wanted
+  InfluenceOperator(const ContactModel& model, const InfluenceTable& table, const SurfaceGrid& grid, bool friction);
   ~InfluenceOperator();
 
   /// Tractions [Pa] on the grid. Empty shear: only w is computed; shear_y is empty for a straight cylinder.
@@ -61,6 +61,7 @@ class InfluenceOperator {
   void demand_double_precision() const { single_precision_suffices_ = false; }
 
  private:
+  EvenTransform<double>& even_transform() const;
   const InfluenceOperator* part(std::unique_ptr<InfluenceOperator>& made,
                                 const std::shared_ptr<const InfluenceTable>& table, bool reversed) const;
 
@@ -69,7 +70,7 @@ class InfluenceOperator {
   bool lateral_, friction_;  // shear and displacements along y, as of a plane; shear
   PaddedSize padded_;
   InfluenceSpectra spectra_;
-  mutable std::unique_ptr<PaddedConvolution<double>> transform_;
+  mutable std::unique_ptr<SurfaceConvolution<double>> transform_;
   mutable std::unique_ptr<EvenTransform<double>> even_transform_;
   mutable bool single_precision_suffices_ = true;
   mutable std::unique_ptr<KrylovOperator<float>> single_;

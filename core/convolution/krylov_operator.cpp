@@ -64,11 +64,11 @@ Spectrum<Real> rounded(const Spectrum<double>& spectrum) {
 }  // namespace
 
 template <class Real>
-KrylovOperator<Real>::KrylovOperator(const ContactModel& model, const SurfaceGrid& half, PaddedSize padded,
+KrylovOperator<Real>::KrylovOperator(const ContactModel& model, const SurfaceGrid& grid, PaddedSize padded,
                                      const InfluenceSpectra& spectra, bool friction)
-    : grid_(half), lateral_(model.dimension == 3), padded_(padded), ww_(rounded<Real>(spectra.ww)) {
+    : grid_(grid), lateral_(model.dimension == 3), padded_(padded), ww_(rounded<Real>(spectra.ww)) {
   if (friction) {
-    transform_ = std::make_unique<PaddedConvolution<Real>>(padded_);
+    transform_ = std::make_unique<SurfaceConvolution<Real>>(padded_, grid_);
     wu_ = rounded<Real>(spectra.of_shear());
     vw_ = rounded<Real>(spectra.vw);
     const std::size_t rows = padded_.quarter_rows();
@@ -143,7 +143,7 @@ void KrylovOperator<Real>::prepare_inverses(const ContactModel& model, bool fric
 
 template <class Real>
 EvenTransform<Real>& KrylovOperator<Real>::even_transform() {
-  if (!even_transform_) even_transform_ = std::make_unique<EvenTransform<Real>>(padded_);
+  if (!even_transform_) even_transform_ = std::make_unique<EvenTransform<Real>>(padded_, grid_.folded);
   return *even_transform_;
 }
 

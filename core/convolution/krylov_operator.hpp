@@ -15,7 +15,7 @@ namespace rollres {
 template <class Real>
 class KrylovOperator {
  public:
-  using Field = Eigen::Matrix<Real, Eigen::Dynamic, 1>;  // on the half grid
+  using Field = Eigen::Matrix<Real, Eigen::Dynamic, 1>;  // on the grid
 
   struct Response {
     Field w;               // [m]
@@ -26,7 +26,7 @@ class KrylovOperator {
   };
 
   /// @param padded size of the spectra
-  KrylovOperator(const ContactModel& model, const SurfaceGrid& half, PaddedSize padded, const InfluenceSpectra& spectra,
+  KrylovOperator(const ContactModel& model, const SurfaceGrid& grid, PaddedSize padded, const InfluenceSpectra& spectra,
                  bool friction);
 
   /// Displacement w and change of slip from tractions [Pa]. Empty shear: only w is computed; shear_y is empty for
@@ -48,7 +48,7 @@ class KrylovOperator {
   SurfaceGrid grid_;
   bool lateral_;  // shear along y, as of a plane
   PaddedSize padded_;
-  std::unique_ptr<PaddedConvolution<Real>> transform_;
+  std::unique_ptr<SurfaceConvolution<Real>> transform_;
   std::unique_ptr<EvenTransform<Real>> even_transform_;
   const Field none_;
   Spectrum<Real> ww_, wu_, vw_;  // of displacements under shear

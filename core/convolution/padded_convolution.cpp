@@ -15,7 +15,7 @@ int line_room(PaddedSize size) { return (size.columns / 2 + 2) / 2 * 2; }
 }  // namespace
 
 PaddedSize padded_size(int columns, int rows, int more_columns) {
-  return {good_fft_size(2 * columns + more_columns), rows > 1 ? good_fft_size(4 * rows - 3) : 1};
+  return {good_fft_size(2 * columns + more_columns), rows > 1 ? good_fft_size(2 * rows - 1) : 1};
 }
 
 template <class Real>
@@ -231,8 +231,9 @@ void PaddedConvolution<Real>::unload_odd_rows(Work& work, int row, const Results
 }
 
 template <class Real>
-EvenTransform<Real>::EvenTransform(PaddedSize size)
+EvenTransform<Real>::EvenTransform(PaddedSize size, bool folded)
     : size_(size),
+      folded_(folded),
       along_x_(shared_fft_line<Real>(size.columns)),
       along_y_(shared_fft_line<complex>(std::max(size.rows, 4))),
       work_(static_cast<std::size_t>(threads_for(size.points()))),
@@ -272,18 +273,22 @@ void EvenTransform<Real>::convolve(const Vector& in, int columns, int rows, cons
     complex* const values = column(kx);
     complex* const spectrum = size_.rows > 1 ? work.column.data() : values;
     if (size_.rows > 1) {
-      std::fill(values + rows, values + size_.rows - rows + 1, complex());
-      for (int row = 1; row < rows; ++row) values[size_.rows - row] = values[row];
+      std::fill(values + rows, values + size_.rows, complex());
+      for (int row = 1; folded_ && row < rows; ++row) values[size_.rows - row] = values[row];
       along_y_.forward(values, spectrum);
     }
     const Real* const re = kernel.re.data() + static_cast<std::ptrdiff_t>(kx) * quarter;
     const Real* const im = kernel.im.data() + static_cast<std::ptrdiff_t>(kx) * quarter;
-    for (int ky = 0; ky < quarter; ++ky) {
-      complex& value = spectrum[ky];
+    const auto multiply = [&](complex& value, int ky) {
       value = {re[ky] * value.real() - im[ky] * value.imag(), re[ky] * value.imag() + im[ky] * value.real()};
-    }
+    };
+    for (int ky = 0; ky < quarter; ++ky) multiply(spectrum[ky], ky);
     if (size_.rows == 1) return;
-    for (int ky = 1; ky < size_.rows - quarter + 1; ++ky) spectrum[size_.rows - ky] = spectrum[ky];
+    for (int ky = 1; ky < size_.rows - quarter + 1; ++ky)
+      if (folded_)
+        spectrum[size_.rows - ky] = spectrum[ky];
+      else
+        multiply(spectrum[size_.rows - ky], ky);
     along_y_.inverse(spectrum, values);
   });
 

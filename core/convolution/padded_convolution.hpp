@@ -45,7 +45,7 @@ struct PaddedSize {
   double points() const { return static_cast<double>(columns) * rows; }
 };
 
-/// Large enough that a convolution of fields of columns * rows (y >= 0) values does not wrap around within
+/// Large enough that a convolution of fields of columns * rows values of the whole grid does not wrap around within
 /// `more_columns` beyond them.
 PaddedSize padded_size(int columns, int rows, int more_columns);
 
@@ -142,23 +142,25 @@ class PaddedConvolution {
   FftBuffer<complex> spectrum_;  // y running fastest
 };
 
-/// The same for a single field that is even in y.
+/// The same for a single field and a kernel that is even in y. The field is even in y, too, and given for y >= 0, or it
+/// is any, and given whole.
 template <class Real>
 class EvenTransform {
  public:
   using Vector = Eigen::Matrix<Real, Eigen::Dynamic, 1>;
 
-  explicit EvenTransform(PaddedSize size);
+  EvenTransform(PaddedSize size, bool folded);
 
   PaddedSize size() const { return size_; }
 
-  /// Convolves `in` (columns * rows values, y >= 0) with a kernel even in y, given by its transform, into `out`
+  /// Convolves `in` (columns * rows values) with the kernel, given by its transform, into `out`
   /// (out_columns * rows values); unnormalised.
   void convolve(const Vector& in, int columns, int rows, const Spectrum<Real>& kernel, Vector& out, int out_columns);
 
  private:
   using complex = std::complex<Real>;
   PaddedSize size_;
+  bool folded_;
   const FftLine<Real>& along_x_;
   const FftLine<complex>& along_y_;
   struct Work {

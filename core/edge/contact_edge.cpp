@@ -29,7 +29,7 @@ class EdgeAssembly {
     const double per = 1 / (2 * M_PI * grid_.spacing_x);
     for (const EdgeCell& cell : cells_.all())
       for (const bool image : {false, true}) {
-        if (!cells_.loaded(cell.column, cell.row) || (image && cell.row == 0)) continue;
+        if (!cells_.loaded(cell.column, cell.row) || (image && !cells_.mirrored(cell))) continue;
         const int from = image ? -cell.row : cell.row;
         const double parity = image ? -1 : 1;
         for (int row = std::max(0, from - reach); row <= std::min(grid_.rows - 1, from + reach); ++row) {
@@ -94,12 +94,12 @@ class EdgeAssembly {
 
 }  // namespace
 
-EdgeSlip::EdgeSlip(const ContactModel& model, const SurfaceGrid& half, const EdgeCurve& curve,
+EdgeSlip::EdgeSlip(const ContactModel& model, const SurfaceGrid& grid, const EdgeCurve& curve,
                    const std::vector<char>& in_contact) {
   constexpr double coarsest = 9;  // rows; steps on coarser grids do not always converge
-  if (!curve.known() || curve.unit < coarsest * half.spacing_y) return;
+  if (!curve.known() || curve.unit < coarsest * grid.spacing_y) return;
   curve_ = curve;
-  const EdgeAssembly assembly(model, half, curve, in_contact);
+  const EdgeAssembly assembly(model, grid, curve, in_contact);
   const auto add = [this](Eigen::Index target, Eigen::Index source, double xx, double xy, double yx, double yy) {
     terms_.push_back({target, source, xx, xy, yx, yy});
   };

@@ -16,12 +16,12 @@ class EdgeSlip {
  public:
   EdgeSlip() = default;
   /// @param in_contact a flag for each node
-  EdgeSlip(const ContactModel& model, const SurfaceGrid& half, const EdgeCurve& curve,
+  EdgeSlip(const ContactModel& model, const SurfaceGrid& grid, const EdgeCurve& curve,
            const std::vector<char>& in_contact);
 
   const EdgeCurve& curve() const { return curve_; }
 
-  /// Adds it to slips [1] that shear tractions [Pa] cause, all on the half grid.
+  /// Adds it to slips [1] that shear tractions [Pa] cause, all on the grid.
   template <class Field>
   void add(const Field& shear_x, const Field& shear_y, Field& slip_x, Field& slip_y) const {
     using Real = typename Field::Scalar;

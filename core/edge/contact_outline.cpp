@@ -6,6 +6,7 @@
 #include <cmath>
 #include <vector>
 
+#include "core/edge/folded_grid.hpp"
 #include "core/numerics/bracketed_root.hpp"
 #include "core/scene/friction_law.hpp"
 
@@ -305,9 +306,23 @@ class Outline {
 
 }  // namespace
 
-ContactOutline contact_outline(const ContactModel& model, const SurfaceGrid& half, const Vector& pressure) {
+ContactOutline contact_outline(const ContactModel& model, const SurfaceGrid& grid, const Vector& pressure) {
+  if (!grid.folded && grid.rows > 1) {
+    const SurfaceGrid half = folded(grid);
+    ContactOutline left = contact_outline(model, half, side_of(grid, pressure, 1));
+    const ContactOutline right = contact_outline(model, half, side_of(grid, pressure, -1));
+    left.leading = std::max(left.leading, right.leading);
+    left.trailing = std::min(left.trailing, right.trailing);
+    left.half_width = 0.5 * (left.half_width + right.half_width);
+    left.area = 0.5 * (left.area + right.area);
+    left.peak = std::max(left.peak, right.peak);
+    for (double ContactOutline::*error :
+         {&ContactOutline::edge_error, &ContactOutline::area_error, &ContactOutline::peak_error})
+      left.*error = std::max(left.*error, right.*error);
+    return left;
+  }
   const bool as_printed = model.kinematics == Kinematics::printed || model.method == Method::active_set;
-  Outline outline(model, half, pressure);
+  Outline outline(model, grid, pressure);
   return as_printed || model.adhesion_threshold > 0 ? outline.of_nodes() : outline.between_nodes();
 }
 

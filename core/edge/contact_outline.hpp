@@ -18,7 +18,7 @@ struct ContactOutline {
 };
 
 /// The nodes themselves where the scene asks for the paper's contact, or nodes adhere and pull at the edge.
-/// @param half a cylinder's grid, or rows y >= 0 of a sphere's   @param pressure on it [Pa], > 0 at some node
-ContactOutline contact_outline(const ContactModel& model, const SurfaceGrid& half, const Vector& pressure);
+/// @param grid of a whole one each side of y = 0 by itself   @param pressure on it [Pa], > 0 at some node
+ContactOutline contact_outline(const ContactModel& model, const SurfaceGrid& grid, const Vector& pressure);
 
 }  // namespace rollres

@@ -65,7 +65,7 @@ struct EdgeCell {
 class EdgeCells {
  public:
   /// @param loaded a flag for each node: those whose cells bear tractions; kept by reference, as the grid is
-  EdgeCells(const SurfaceGrid& half, const EdgeCurve& curve, const std::vector<char>& loaded);
+  EdgeCells(const SurfaceGrid& grid, const EdgeCurve& curve, const std::vector<char>& loaded);
 
   const std::vector<EdgeCell>& all() const { return cells_; }
   /// Whether a node bears tractions; none outside the grid does.
@@ -76,8 +76,10 @@ class EdgeCells {
   /// What a unit traction of a cell, spread like sqrt(F), does at a node more than an even one.
   /// @param image of the cell's mirror image at y < 0
   Reach unevenness(const EdgeCell& cell, int column, int row, bool image) const;
-  /// How many cells stand for one beyond that this one bears: on the axis of symmetry also its mirror image.
-  static int images_on(const EdgeCell& bearer) { return bearer.row == 0 ? 2 : 1; }
+  /// Whether a cell has a mirror image that acts, too.
+  bool mirrored(const EdgeCell& cell) const { return grid_.images(cell.row) > 1; }
+  /// How many cells stand for one beyond that this one bears: on an axis of symmetry also its mirror image.
+  int images_on(const EdgeCell& bearer) const { return grid_.folded && bearer.row == 0 ? 2 : 1; }
 
  private:
   static constexpr int absent = -1;

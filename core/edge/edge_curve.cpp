@@ -31,9 +31,10 @@ double zero_beyond(double first, double second, double third) {
 }  // namespace
 
 CurveRow::CurveRow(const EdgeCurve& curve, double y) {
-  const double t = y / curve.unit, by_y = 2 * t / curve.unit;
-  std::tie(centre, centre_slope) = polynomial(curve.centre, t * t);
-  std::tie(squared, squared_slope) = polynomial(curve.squared_length, t * t);
+  const double place = y / curve.unit, t = curve.even ? place * place : place,
+               by_y = (curve.even ? 2 * place : 1) / curve.unit;
+  std::tie(centre, centre_slope) = polynomial(curve.centre, t);
+  std::tie(squared, squared_slope) = polynomial(curve.squared_length, t);
   centre_slope *= by_y;
   squared_slope *= by_y;
 }
@@ -75,15 +76,18 @@ EdgeCurve edge_curve(const SurfaceGrid& grid, const Vector& pressure) {
   const std::vector<RowEnds> ends = ends_of_rows(grid, pressure);
   const auto rows = static_cast<Eigen::Index>(ends.size());
   constexpr Eigen::Index fewest = 4, most_terms = 5;
-  if (rows < fewest) return {};
   EdgeCurve curve;
-  curve.unit = ends.back().y;
-  const Eigen::Index terms = std::min(most_terms, (rows + 1) / 3 + 1);
+  curve.even = grid.folded;
+  const Eigen::Index on_side = curve.even ? rows : (rows + 1) / 2;  // of the contact
+  if (on_side < fewest) return {};
+  curve.unit = std::max(std::abs(ends.front().y), std::abs(ends.back().y));
+  const Eigen::Index even_terms = std::min(most_terms, (on_side + 1) / 3 + 1),
+                     terms = curve.even ? even_terms : 2 * even_terms - 1;
   Eigen::MatrixXd powers(rows, terms);
   Vector centre(rows), squared(rows);
   for (Eigen::Index i = 0; i < rows; ++i) {
     const RowEnds& end = ends[static_cast<std::size_t>(i)];
-    for (Eigen::Index k = 0; k < terms; ++k) powers(i, k) = std::pow(end.y / curve.unit, 2 * k);
+    for (Eigen::Index k = 0; k < terms; ++k) powers(i, k) = std::pow(end.y / curve.unit, curve.even ? 2 * k : k);
     centre(i) = 0.5 * (end.leading + end.trailing);
     squared(i) = 0.25 * std::pow(end.leading - end.trailing, 2);
   }

@@ -10,10 +10,12 @@
 
 namespace rollres {
 
-/// The contact as F = h(y)^2 - (x - m(y))^2 > 0, with h^2 and m polynomials in y^2 (N24).
+/// The contact as F = h(y)^2 - (x - m(y))^2 > 0, with h^2 and m polynomials in y^2 (N24), or in y where the contact is
+/// not its own mirror image.
 struct EdgeCurve {
   double unit = 1;                          // of y [m]
   Vector centre = {}, squared_length = {};  // coefficients of m [m] and h^2 [m2]; empty: not known
+  bool even = true;                         // in y
 
   bool known() const { return centre.size() > 0; }
 };
@@ -36,11 +38,11 @@ struct RowEnds {
   double y, trailing, leading;
 };
 
-/// Of all rows that are long enough to tell. @param pressure on a half grid [Pa]
-std::vector<RowEnds> ends_of_rows(const SurfaceGrid& half, const Vector& pressure);
+/// Of all rows that are long enough to tell. @param pressure on the grid [Pa]
+std::vector<RowEnds> ends_of_rows(const SurfaceGrid& grid, const Vector& pressure);
 
-/// From the ends of rows on a half grid, pressure in [Pa]; not known where too few rows are long enough.
-EdgeCurve edge_curve(const SurfaceGrid& half, const Vector& pressure);
+/// From the ends of rows, pressure in [Pa]; not known where too few rows are long enough.
+EdgeCurve edge_curve(const SurfaceGrid& grid, const Vector& pressure);
 
 /// The cells whose pressure tells the edge, by their distance inside it, and how far outside the real one it is then
 /// found [cells].
@@ -48,8 +50,8 @@ struct EdgeRing {
   double from, to, beyond;
 };
 
-/// From the pressure of a ring of cells along the edge on a half grid [Pa], by (N28); not known where they are too few
-/// or tell of none.
+/// From the pressure of a ring of cells along the edge on a folded grid [Pa], by (N28); not known where they are too
+/// few or tell of none.
 EdgeCurve edge_around(const SurfaceGrid& half, const Vector& pressure, const EdgeRing& ring);
 
 }  // namespace rollres

@@ -105,8 +105,7 @@ class EdgePressure::Assembly {
       const EdgeCell& other = cells_.all()[i];
       const int columns = other.column - cell.column, rows = other.row - cell.row;
       moments.add(other.shape, share / cell.borne, columns, rows, false);
-      if (rows != 0 && EdgeCells::images_on(cell) > 1)
-        moments.add(other.shape, share / cell.borne, columns, -rows, true);
+      if (rows != 0 && cells_.images_on(cell) > 1) moments.add(other.shape, share / cell.borne, columns, -rows, true);
     }
     const Stencil stencil = moments.stencil();
     for (int row = -1; row <= 1; ++row)

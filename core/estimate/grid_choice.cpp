@@ -18,10 +18,24 @@ ContactEstimate elastic_contact(const ContactModel& model, double modulus) {
   return elastic_contact_from_approach(model.dimension, model.radius, model.layer(), modulus, *model.approach);
 }
 
+/// That of the sphere with the mean curvature, drawn out: half-widths go with the radii to the power 1/2 over a thin
+/// layer, to about 2/3 on a half-space.
+ContactEstimate estimate_of_roller(ContactModel model) {
+  constexpr double power = 0.6;
+  const double ratio = *model.transverse_radius / model.radius;
+  model.radius = std::sqrt(model.radius * *model.transverse_radius);
+  model.transverse_radius.reset();
+  ContactEstimate estimate = estimate_contact(model);
+  estimate.elongation = std::pow(ratio, power);
+  estimate.half_width /= std::sqrt(estimate.elongation);
+  return estimate;
+}
+
 }  // namespace
 
 ContactEstimate estimate_contact(const ContactModel& model) {
   if (model.estimate) return *model.estimate;
+  if (model.transverse_radius) return estimate_of_roller(model);
   if (model.composite()) return composite_estimate(model);
   const CreepSpectrum& creep = model.top().creep;
   ContactEstimate estimate = elastic_contact(model, 1 / creep.at_rest());
@@ -38,7 +52,8 @@ double share_of_coating(const ContactModel& model) {
 
 double default_spacing(const ContactModel& model) {
   const double nodes_per_half_width = model.dimension == 2 ? 60 : 20;
-  return std::min(estimate_contact(model).half_width, model.radius) / nodes_per_half_width;
+  const ContactEstimate estimate = estimate_contact(model);
+  return std::min(estimate.half_width * std::min(estimate.elongation, 1.0), model.radius) / nodes_per_half_width;
 }
 
 void require_nodes(double columns, double rows, double spacing) {
@@ -48,7 +63,7 @@ void require_nodes(double columns, double rows, double spacing) {
                  message_text("the contact needs ", columns * rows, " nodes of ", spacing, " m"));
 }
 
-SurfaceGrid window(int dimension, double spacing, double half_width) {
+SurfaceGrid window(int dimension, double spacing, double half_width, double elongation) {
   const double wanted = std::max(2.0, std::ceil(half_width / spacing));
   require_nodes(2 * wanted + 1, dimension == 3 ? wanted + 1 : 1, spacing);
   const int cells = checked_count(wanted, "cells of a window");
@@ -57,12 +72,23 @@ SurfaceGrid window(int dimension, double spacing, double half_width) {
   grid.first_column = -cells;
   grid.columns = 2 * cells + 1;
   if (dimension == 3) {
-    grid.spacing_y = spacing;
+    grid.spacing_y = spacing * elongation;
     grid.rows = cells + 1;
+    grid.folded = true;
   } else {
     grid.spacing_y = 1;
     grid.rows = 1;
   }
+  return grid;
+}
+
+SurfaceGrid window(const ContactModel& model, double spacing, double half_width) {
+  SurfaceGrid grid = window(model.dimension, spacing, half_width, estimate_contact(model).elongation);
+  if (model.mirrored()) return grid;
+  grid.first_row = 1 - grid.rows;
+  grid.rows = grid.whole_rows();
+  grid.folded = false;
+  require_nodes(grid.columns, grid.rows, spacing);
   return grid;
 }
 

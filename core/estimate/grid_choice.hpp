@@ -2,6 +2,8 @@
 
 /// Which nodes a scene needs: spacing and window, from closed-form estimates of its contact.
 
+#include <cmath>
+
 #include "core/estimate/contact_estimate.hpp"
 #include "core/model/contact_model.hpp"
 #include "core/scene/solution.hpp"
@@ -22,10 +24,21 @@ double default_spacing(const ContactModel& model);
 /// @throws BeyondLimits if a half grid of so many nodes takes more memory than the solution may (solution_limits.hpp)
 void require_nodes(double columns, double rows, double spacing);
 
-/// Half grid (rows y >= 0 in 3D, one row in 2D) with a node at the origin that covers |x|, |y| <= half_width.
-SurfaceGrid window(int dimension, double spacing, double half_width);
+/// Folded grid in 3D, one row in 2D, with a node at the origin that covers |x|, |y| <= half_width; along y cells and
+/// half-width are `elongation` times as long.
+SurfaceGrid window(int dimension, double spacing, double half_width, double elongation = 1);
+/// The same for the estimated contact of a model, whole where the model is not mirrored.
+SurfaceGrid window(const ContactModel& model, double spacing, double half_width);
 
 /// Largest half-width a window may have: beyond it a body of this radius has no lower surface.
 inline double widest_window(const ContactModel& model) { return 0.98 * model.radius; }
+/// The same across the motion.
+inline double widest_across(const ContactModel& model) {
+  if (!model.transverse_radius) return widest_window(model);
+  const double across = *model.transverse_radius;
+  return 0.98 * (model.crown == Crown::ellipse ? std::sqrt(model.radius * across)
+                 : across > model.radius       ? std::sqrt(model.radius * (2 * across - model.radius))
+                                               : across);
+}
 
 }  // namespace rollres

@@ -66,11 +66,15 @@ ContactModel::ContactModel(const RollingScene& scene)
     : indenter(scene.indenter),
       dimension(dimension_of(scene.indenter)),
       radius(scene.radius),
+      transverse_radius(scene.transverse_radius),
+      crown(scene.crown),
       width(scene.width),
       kinematics(scene.kinematics),
       speed(scene.speed),
       skew(0),
-      axial_force(per_metre(scene.axial_force, scene)),
+      camber(scene.camber_angle),
+      pivot(scene.pivot),
+      side_force(scene.lateral_force ? scene.lateral_force : per_metre(scene.axial_force, scene)),
       load(per_metre(scene.load, scene)),
       approach(scene.approach),
       friction_coefficient(scene.friction_coefficient),
@@ -136,6 +140,11 @@ std::vector<const ModelLayer*> ContactModel::layers() const {
   return all;
 }
 
+std::array<double, 3> ContactModel::axle() const {
+  const double cosine = 1 / std::hypot(1, skew);
+  return {-skew * cosine * std::cos(camber), cosine * std::cos(camber), std::sin(camber)};
+}
+
 ContactModel ContactModel::with_skew(double tangent) const {
   ContactModel other = *this;
   other.turn_axle(tangent);
@@ -146,6 +155,7 @@ ContactModel ContactModel::with_skew(double tangent) const {
 void ContactModel::turn_axle(double tangent) {
   const double longer = std::hypot(1, tangent) / std::hypot(1, skew);
   skew = tangent;
+  if (dimension == 3) return;  // whose frame stays that of the travel
   speed /= longer;
   if (rotation_ratio) *rotation_ratio *= longer;
   if (drive == Drive::rotation) flow *= longer;
@@ -172,10 +182,9 @@ ContactModel ContactModel::with_answer(const RollingSolution& solution) const {
   std::vector<SofteningFactors> factors;
   for (const std::array<double, 2>& of_layer : solution.moduli_factors) factors.push_back({of_layer[0], of_layer[1]});
   ContactModel softened = with_softening(factors);
-  if (skewed()) softened = softened.with_skew(std::tan(solution.skew_angle));
-  return std::isfinite(solution.rotation_ratio)
-             ? softened.with_flow(solution.rotation_ratio * std::hypot(1, softened.skew))
-             : softened;
+  if (side_force || skew != 0) softened = softened.with_skew(std::tan(solution.skew_angle));
+  if (!std::isfinite(solution.rotation_ratio)) return softened;
+  return softened.with_flow(solution.rotation_ratio * (skewed() ? std::hypot(1, softened.skew) : 1));
 }
 
 double rayleigh_number(const ContactModel& model) {

@@ -8,6 +8,7 @@
 /// (solve/resolve.hpp) leaves out what a tolerance allows to leave out. Solvers, estimates and fields take the model
 /// and ask nobody else; what changes with the answer makes a new model (`with_flow`, `with_softening`).
 
+#include <array>
 #include <cmath>
 #include <optional>
 #include <string>
@@ -31,9 +32,10 @@ struct ModelLayer : BondedLayer {
 
 /// A contact before it is solved (estimate/grid_choice.hpp).
 struct ContactEstimate {
-  double half_width;  ///< a [m]; radius of the contact for a sphere
-  double approach;    ///< d [m]; NaN for a cylinder on a half-space, where it is not defined
-  double load;        ///< P [N/m] for a cylinder, [N] for a sphere
+  double half_width;      ///< a [m], along the motion; radius of the contact for a sphere
+  double approach;        ///< d [m]; NaN for a cylinder on a half-space, where it is not defined
+  double load;            ///< P [N/m] for a cylinder, [N] for a sphere
+  double elongation = 1;  ///< half-width across the motion over that along it, of a roller [1]
 };
 
 struct ContactModel {
@@ -41,14 +43,19 @@ struct ContactModel {
   ContactModel(const RollingScene& scene);
 
   Indenter indenter;
-  int dimension;                // 2: per metre of length, no y; or 3
-  double radius;                // R [m]
-  std::optional<double> width;  // of a cylinder whose load is told in N [m]; the rest here is per metre
+  int dimension;                            // 2: per metre of length, no y; or 3
+  double radius;                            // R [m]
+  std::optional<double> transverse_radius;  // of a roller's crown [m]
+  Crown crown;                              // its outline
+  std::optional<double> width;              // of a cylinder whose load is told in N [m]; the rest here is per metre
   Kinematics kinematics;
 
   double speed;                          // V; of a skewed cylinder V cos a, square to its axle [m/s]
-  double skew;                           // tan a of a cylinder whose axle is turned to the left by a [1]
-  std::optional<double> axial_force;     // along the axle, in place of the skew [N/m]
+  double skew;                           // tan a of an axle that is turned to the left by a [1]
+  double camber;                         // g by which the left end of a sphere's axle is raised [rad]
+  double pivot;                          // of a sphere about z over its path [1/m]
+  std::optional<double> side_force;      // in place of the skew: of a cylinder along its axle [N/m]; of a sphere along
+                                         // y [N]
   std::optional<double> load, approach;  // P [N/m] or [N], or d [m]
   double friction_coefficient;           // mu [1]
   std::optional<double> traction_limit;  // tau_max [Pa]
@@ -80,10 +87,16 @@ struct ContactModel {
   SlipRule slip_rule;
 
   /// Whether a cylinder rolls askew. The model is in the frame of its axle: x square to it, y along it.
-  bool skewed() const { return skew != 0 || axial_force; }
+  bool skewed() const { return dimension == 2 && (skew != 0 || side_force); }
+  /// Whether the contact is its own mirror image in y. The model of a sphere is in the frame of the travel.
+  bool mirrored() const {
+    return dimension == 2 || friction_coefficient == 0 || (skew == 0 && camber == 0 && pivot == 0 && !side_force);
+  }
+  /// Unit vector along the axle, to its left end.
+  std::array<double, 3> axle() const;
   /// Whether there are displacements, and with friction tractions, along y.
   bool lateral() const { return dimension == 3 || (skewed() && friction_coefficient > 0); }
-  /// The same with another skew of a cylinder, tan a.
+  /// The same with another skew, tan a.
   ContactModel with_skew(double tangent) const;
   /// Whether its loads and torques are told per metre of a cylinder, and one of them as it is told [N/m], or [N].
   bool told_per_metre() const { return dimension == 2 && !width; }

@@ -3,23 +3,29 @@
 /// The rigid body that rolls: its shape, and what tractions on it do to it. What kind of body it is, is decided here
 /// and in the grid alone.
 ///
-/// The body touches the surface first at (0, 0). With q(x, y) = sqrt(R^2 - x^2 - y^2) the height of its centre above
-/// its lower surface (a cylinder has y = 0), its profile is B = R - q, with slopes b_x = x/q and b_y = y/q.
+/// The body touches the surface first at (0, 0). With q(x, y) the height of its centre above its lower surface, its
+/// profile is B = R - q, with slopes b = -grad q. A body of revolution has q^2 = rho(y)^2 - x^2, rho its radius at y in
+/// the frame of its axle:
+///   cylinder R,   sphere sqrt(R^2 - y^2),   roller of crown radius R_t: circle R - R_t + sqrt(R_t^2 - y^2),
+///   ellipse R sqrt(1 - y^2/(R R_t))
+/// so that b_x = x/q and b_y = -rho rho'/q. A skewed roller's axes are those of the axle; b is turned back.
 ///
 /// The layer feels the vertical pressure p and the shear (tau_x, tau_y) on each unit of its undeformed area; it moves
-/// by w, u, v. Load P, driving force Q and torque T are integrals of lever arms times p and tau_x; the slip of the body
-/// relative to the layer, over V, at omega = R Omega/V, is
-///   s_x = forward + du/dx - omega turning,   s_y = dv/dx.
+/// by w, u, v. Load P, driving force Q and torque T are integrals of lever arms times p, tau_x and tau_y; the slip of
+/// the body relative to the layer, over V, at omega = R Omega/V, is
+///   s = forward + d(u, v)/dx - omega turning,   vectors along x and y.
 ///
-/// `consistent`. The shear lies in the body's surface, whose slope is b_x: its vertical part b_x tau_x belongs to the
-/// layer's vertical traction, the pressure normal to the body is p + b_x tau_x, and the slip is the velocity conjugate
-/// to tau_x of the body less that of a layer that runs along it:
-///   forward = 1 + b_x^2,   turning = (R^2 - y^2)/(R q)
-///   P: (1, 0)   Q: (b_x, forward)   T: (0, -R turning)           (of p, of tau_x)
-/// So Q + omega T/R is the integral of p b_x - tau . (du/dx, dv/dx) + tau . s, and w_x = b_x in the contact: what the
-/// drive gives goes into the layer and into friction. To second order in the slope and near omega = 1 a cylinder's
-/// slip is 1 + du/dx + b_x^2/2 - omega: the surface is longer by the arc. (Left out: b_x b_y (1 - omega q/R) in s_y,
-/// of fourth order where the body rolls.)
+/// `consistent`. The shear lies in the body's surface, whose slope is b: its vertical part b . tau belongs to the
+/// layer's vertical traction, the pressure normal to the body is p + b . tau, and the slip is the velocity conjugate
+/// to tau of the body less that of a layer that runs along it. With the axle's direction e, the pivot about z over the
+/// path, e_x the travel and M = 1 + b b^T,
+///   forward = M (e_x + pivot (-y, x)),   turning = M (e_y q + e_z y, -e_x q - e_z x)/R
+///   P: 1   Q: b_x, M e_x   F_y: b_y, M e_y   T: 0, -R turning   (of p, of tau)
+///   m_z: x b_y - y b_x, M (-y, x)   m_x: q b_y - y, q M e_y   about the middle of the axle
+/// A straight cylinder has forward = 1 + b_x^2, turning = (R^2 - y^2)/(R q) along x. A skewed one, in the frame of its
+/// axle, has -tan a along y. Q + omega T/R + pivot m_z is the integral of p b_x - tau . d(u, v)/dx + tau . s, and w_x =
+/// b_x in the contact: what the drive gives goes into the layer and into friction. To second order in the slope and
+/// near omega = 1 a cylinder's slip is 1 + du/dx + b_x^2/2 - omega: the surface is longer by the arc.
 ///
 /// With a coating the surface between body and layers has the slope w_x = b_x - c_x, c_x that of the coating's part of
 /// w, and the coating flows at R Omega. The pressure acts along the normal of that surface. It therefore adds what
@@ -28,7 +34,7 @@
 ///   slip: s_x = forward + du/dx - omega turning + (omega - 1) times the coating's part of du/dx
 /// On a rigid plane all shear acts along it, at one height: forward = turning = 1. In between, with the coating's share
 /// k of b_x = w_x + c_x taken as one number (`coating_share`),
-///   forward = 1 + (1 - k) b_x^2,   turning = k + (1 - k) (R^2 - y^2)/(R q)
+///   forward = 1 + (1 - k) b_x^2,   turning = k + (1 - k) (R^2 - y^2)/(R q),   along y (1 - k) times the above
 ///
 /// A cover that is a ring is measured along its face, at the arc x = R phi. There its height above a plane is R (1 -
 /// cos phi), so that with the coating's share k, in both kinematics,
@@ -45,6 +51,7 @@
 /// The power is off by terms of second order in the slope (`unbalanced_power`).
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "core/model/contact_model.hpp"
@@ -53,13 +60,14 @@ namespace rollres {
 
 /// What a unit of each traction gives.
 struct LeverArm {
-  double of_pressure = 0, of_shear_x = 0;  // [1] for a force, [m] for a torque
+  double of_pressure = 0, of_shear_x = 0, of_shear_y = 0;  // [1] for a force, [m] for a torque
   double operator()(double pressure, double shear_x) const { return of_pressure * pressure + of_shear_x * shear_x; }
 };
 
-/// The slip s_x where nothing moves along itself: forward - omega turning [1].
+/// The slip where nothing moves along itself: forward - omega turning, along x and along y [1].
 struct RigidSlip {
   double forward = 1, turning = 1;
+  double forward_y = 0, turning_y = 0;
 };
 
 class IndenterShape {
@@ -70,23 +78,28 @@ class IndenterShape {
         flat_in_y_(model.dimension == 2),
         kinematics_(model.kinematics),
         share_(kinematics_ == Kinematics::consistent ? coating_share : 0),
-        bent_(model.ring() ? coating_share : 0) {}
+        bent_(model.ring() ? coating_share : 0),
+        transverse_(model.transverse_radius.value_or(0)),
+        crown_(model.crown),
+        sideways_(model.skewed() ? -model.skew : 0),
+        pivot_(model.pivot),
+        axle_(flat_in_y_ ? std::array{0.0, 1.0, 0.0} : model.axle()) {}
 
   double radius() const { return radius_; }  // R [m]
   /// Whether there is a lower surface above this place.
-  bool covers(double x, double y) const { return x * x + y * y < radius_ * radius_; }
+  bool covers(double x, double y) const { return fallen(x, y) < radius_ * radius_; }
   /// q(x, y), held at R/100 beyond the body so that grids may be wider [m].
   double height(double x, double y = 0) const {
-    return std::sqrt(std::max(radius_ * radius_ - x * x - y * y, 1e-4 * radius_ * radius_));
+    return std::sqrt(std::max(radius_ * radius_ - fallen(x, y), 1e-4 * radius_ * radius_));
   }
   /// Height of the lower surface above its lowest point, without the cancellation of R - q [m].
   double profile(double x, double y = 0) const {
-    const double square = x * x + y * y;
-    const double flat = (1 - bent_) * square / (radius_ + height(x, y)), sine = std::sin(0.5 * x / radius_);
+    const double flat = (1 - bent_) * fallen(x, y) / (radius_ + height(x, y)), sine = std::sin(0.5 * x / radius_);
     return bent_ == 0 ? flat : flat + bent_ * 2 * radius_ * sine * sine;
   }
   /// Its derivative along x [1].
   double slope(double x, double y = 0) const {
+    if (crowned()) return slopes(x, y)[0];
     const double flat = (1 - bent_) * x / height(x, y);
     return bent_ == 0 ? flat : flat + bent_ * std::sin(x / radius_);
   }
@@ -94,12 +107,18 @@ class IndenterShape {
   LeverArm load(double x, double y = 0) const;           // P
   LeverArm driving_force(double x, double y = 0) const;  // Q
   LeverArm torque(double x, double y = 0) const;         // T
+  /// What the motion resists with: Q + pivot m_z, and of a skewed cylinder what its axial force does.
+  LeverArm resisting_force(double x, double y = 0) const;
+  LeverArm side_force(double x, double y = 0) const;  // F_y, of a cylinder along its axle
+  LeverArm spin_moment(double x, double y) const;     // m_z, about the middle of the axle
+  LeverArm overturning(double x, double y) const;     // m_x, likewise
   RigidSlip slip(double x, double y = 0) const;
   /// What M adds to T/R, and takes from Q [1]: 0 for a printed sphere, whose pressure is taken to act vertically.
   double of_coating() const { return kinematics_ == Kinematics::consistent || flat_in_y_ ? 1 : 0; }
 
-  /// The law of friction as methods impose it, s_x/m = law_slip.forward + du/dx - law_ratio law_slip.turning, with the
-  /// coating's part of du/dx taken as the share k of it, m = 1 + k (omega - 1): exact where either side is rigid.
+  /// The law of friction as methods impose it, s/m = law_slip.forward + d(u, v)/dx - law_ratio law_slip.turning, with
+  /// the coating's part of d(u, v)/dx taken as the share k of it, m = 1 + k (omega - 1): exact where either side is
+  /// rigid.
   RigidSlip law_slip(double x, double y = 0) const;
   /// omega from the ratio of the law, 1 + (omega - 1)/m, and back. Of a body that slides all over, m is at least a
   /// tenth: it only tells the direction.
@@ -109,8 +128,6 @@ class IndenterShape {
   double law_ratio(double omega) const {
     return share_ == 0 ? omega : 1 + (omega - 1) / std::max(1 + share_ * (omega - 1), 0.1);
   }
-  /// 1/m of it.
-  double law_share(double law_ratio) const { return 1 - share_ * (law_ratio - 1); }
   /// Derivative of the slope along x [1/m].
   double curvature(double x, double y = 0) const;
   /// Derivative along x of what a unit of pressure resists with where the body rolls, Q + T/R [1/m].
@@ -124,11 +141,33 @@ class IndenterShape {
   LeverArm unbalanced_power(double omega, double x, double y = 0) const;
 
  private:
+  /// Of a consistent body's surface: (1 + (1 - k) b b^T) times a horizontal vector.
+  std::array<double, 2> along_surface(double x, double y, double of_x, double of_y) const;
+  double slope_across(double x, double y) const {  // b_y
+    return flat_in_y_ ? 0 : crowned() ? slopes(x, y)[1] : y / height(x, y);
+  }
+  bool crowned() const { return transverse_ > 0; }
+  /// R^2 - q^2 [m2]
+  double fallen(double x, double y) const {
+    return crowned() ? fallen_of_crown(x, y) : flat_in_y_ ? x * x : x * x + y * y;
+  }
+  double fallen_of_crown(double x, double y) const;
+  std::array<double, 2> slopes(double x, double y) const;  // b of a crowned roller
+  /// In the frame of a roller's axle.
+  std::array<double, 2> turned(double x, double y) const {
+    return {x * axle_[1] - y * axle_[0], x * axle_[0] + y * axle_[1]};
+  }
+  double squared_radius_slope(double across) const;  // d(rho^2)/dy [m]
+
   double radius_;
   bool flat_in_y_;
   Kinematics kinematics_;
-  double share_;  // of the coating in what yields, 0 to 1
-  double bent_;   // the same where the coating is a ring, else 0
+  double share_;       // of the coating in what yields, 0 to 1
+  double bent_;        // the same where the coating is a ring, else 0
+  double transverse_;  // radius of a roller's crown; 0: none [m]
+  Crown crown_;
+  double sideways_, pivot_;     // rigid slip along the axle of a skewed cylinder [1]; of a sphere about z [1/m]
+  std::array<double, 3> axle_;  // its direction
 };
 
 /// The row of the drive, from torques and driving forces (numbers or rows of a system): T/R, less Q if a force at the

@@ -28,9 +28,21 @@ std::string pressed(const ContactModel& model) {
 }
 
 std::string body_in_words(const ContactModel& model) {
+  if (model.transverse_radius)
+    return words("rigid roller, crown of ", *model.transverse_radius, " m (", name_of(model.crown), ")");
   if (model.dimension == 3) return "rigid sphere";
   return model.width ? words("rigid cylinder, ", *model.width, " m wide, solved per metre of it")
                      : "rigid cylinder, per metre of its length";
+}
+
+/// How the axle and the path of a body are turned; empty: straight.
+std::string turned(const ContactModel& model) {
+  std::string text;
+  if (model.skew != 0) text += words(", skew ", std::atan(model.skew), " rad");
+  if (model.camber != 0) text += words(", camber ", model.camber, " rad");
+  if (model.pivot != 0) text += words(", pivot ", model.pivot, " 1/m");
+  if (model.dimension == 3 && model.side_force) text += words(", lateral force ", *model.side_force, " N");
+  return text;
 }
 
 std::string driven(const ContactModel& model) {
@@ -71,7 +83,7 @@ std::string method(const ContactModel& model) {
   const std::string name(name_of(model.method));
   if (model.asked_method != Method::automatic) return name + ", as asked for";
   if (model.method == Method::spectral) return name + ": continuous edges of contact, no grid";
-  if (model.dimension == 3) return name + ": a sphere is solved on a grid";
+  if (model.dimension == 3) return name + ": a body of three dimensions is solved on a grid";
   if (model.spacing) return name + ": the scene gives a spacing";
   return name + ": continuous edges do not apply, " + spectral_refusal(model);
 }
@@ -89,7 +101,7 @@ std::vector<ModelStatement> model_in_words(const ContactModel& model) {
   all.push_back(
       {"body", words(body_in_words(model), ", R = ", model.radius, " m, kinematics ", name_of(model.kinematics))});
   all.push_back(
-      {"motion", words("V = ", model.speed, " m/s, ", pressed(model), ", ", driven(model),
+      {"motion", words("V = ", model.speed, " m/s, ", pressed(model), ", ", driven(model), turned(model),
                        model.period ? words(", periodic train, L = ", *model.period, " m") : ", single passage")});
   all.push_back({"surface", surface_in_words(model)});
   for (std::size_t i = 0; i < model.foundation.size(); ++i)

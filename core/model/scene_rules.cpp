@@ -172,11 +172,24 @@ void check_thicknesses(const RollingScene& scene, BrokenRules& broken) {
     broken.add("coating_layers", coating, "must be thinner than the radius, together");
 }
 
+void check_crown(const RollingScene& scene, BrokenRules& broken) {
+  const bool roller = scene.indenter == Indenter::roller;
+  if (roller && !scene.transverse_radius) broken.add_missing("transverse_radius", "indenter \"roller\" needs it");
+  if (!roller && scene.transverse_radius)
+    broken.add("transverse_radius", *scene.transverse_radius, "only with indenter \"roller\"");
+  if (!roller) return;
+  const auto only = [&](bool met, const char* rule) {
+    if (!met) broken.lines.push_back("indenter = roller: " + std::string(rule));
+  };
+  only(scene.kinematics == Kinematics::consistent, "only with kinematics \"consistent\"");
+  only(scene.method != Method::active_set, "not with method \"active_set\"");
+}
+
 void check_alternatives(const RollingScene& scene, BrokenRules& broken) {
   if (scene.load && scene.approach) broken.add("approach", *scene.approach, "give load or approach, not both");
   if (!scene.load && !scene.approach) broken.add_missing("load", "give load or approach");
   if (scene.width && dimension_of(scene.indenter) == 3)
-    broken.add("width", *scene.width, "only for a cylinder: loads and forces of a sphere are those of the whole body");
+    broken.add("width", *scene.width, "only for a cylinder: loads and forces of other bodies are those of the whole");
   if (scene.spacing && scene.tolerance)
     broken.add("tolerance", *scene.tolerance, "give spacing or tolerance, not both");
 }
@@ -189,20 +202,42 @@ void check_traction_limit(const RollingScene& scene, BrokenRules& broken) {
                message_text("not with method \"", name_of(scene.method), "\" and friction"));
 }
 
-/// What a cylinder whose axle is turned is not solved with.
-void check_skew(const RollingScene& scene, BrokenRules& broken) {
+/// The first input that turns the axle or the path, as it was given; empty: there is none.
+std::string turning_input(const RollingScene& scene) {
+  if (scene.skew_angle) return message_text("skew_angle = ", *scene.skew_angle);
+  if (scene.axial_force) return message_text("axial_force = ", *scene.axial_force);
+  if (scene.lateral_force) return message_text("lateral_force = ", *scene.lateral_force);
+  if (scene.camber_angle != 0) return message_text("camber_angle = ", scene.camber_angle);
+  if (scene.pivot != 0) return message_text("pivot = ", scene.pivot);
+  return {};
+}
+
+/// What a body whose axle is turned, or which turns along its path, is not solved with.
+void check_turning(const RollingScene& scene, BrokenRules& broken) {
+  const bool sphere = dimension_of(scene.indenter) == 3, roller = scene.indenter == Indenter::roller;
   if (scene.skew_angle && scene.axial_force)
     broken.add("axial_force", *scene.axial_force, "give skew_angle or axial_force, not both");
-  const std::string key = scene.skew_angle    ? message_text("skew_angle = ", *scene.skew_angle)
-                          : scene.axial_force ? message_text("axial_force = ", *scene.axial_force)
-                                              : "";
+  if (scene.skew_angle && scene.lateral_force)
+    broken.add("lateral_force", *scene.lateral_force, "give skew_angle or lateral_force, not both");
+  if (sphere && scene.axial_force) broken.add("axial_force", *scene.axial_force, "only for a cylinder");
+  constexpr const char* sphere_alone = "only for a sphere";
+  if (!sphere && scene.lateral_force) broken.add("lateral_force", *scene.lateral_force, sphere_alone);
+  if (!sphere && scene.camber_angle != 0) broken.add("camber_angle", scene.camber_angle, sphere_alone);
+  if (!sphere && scene.pivot != 0) broken.add("pivot", scene.pivot, sphere_alone);
+  // Camber moves a crown's contact along the axle; turning does work on a body that is no sphere.
+  if (roller && scene.camber_angle != 0) broken.add("camber_angle", scene.camber_angle, sphere_alone);
+  if (roller && scene.pivot != 0) broken.add("pivot", scene.pivot, sphere_alone);
+  const std::string key = turning_input(scene);
   if (key.empty()) return;
   const auto only = [&](bool met, const std::string& rule) {
     if (!met) broken.lines.push_back(key + ": " + rule);
   };
-  only(dimension_of(scene.indenter) == 2, "only for a cylinder");
-  if (scene.axial_force) only(scene.friction_coefficient > 0, "needs a friction_coefficient > 0");
-  if (!is_skewed(scene)) return;
+  if (scene.axial_force || scene.lateral_force)
+    only(scene.friction_coefficient > 0, "needs a friction_coefficient > 0");
+  if (is_straight(scene)) return;
+  if (sphere && scene.friction_coefficient > 0)
+    only(scene.coating_layers.empty(),
+         "not with a coating and friction, whose material passes along the wheel's plane");
   only(scene.kinematics == Kinematics::consistent, "only with kinematics \"consistent\"");
   only(scene.method == Method::automatic || scene.method == Method::newton || scene.method == Method::newton_dense ||
            scene.friction_coefficient == 0,
@@ -289,7 +324,9 @@ void check_model(const RollingScene& scene, bool in_range, BrokenRules& broken) 
 
 std::string why_no_interior(const RollingScene& scene) {
   if (scene.period) return "not with a period";
-  if (is_skewed(scene)) return "not of a skewed cylinder";
+  if (!is_straight(scene) && (dimension_of(scene.indenter) == 2 || scene.friction_coefficient > 0))
+    return dimension_of(scene.indenter) == 2 ? "not of a skewed cylinder"
+                                             : "not of a sphere with skew_angle, lateral_force, camber_angle or pivot";
   if (scene.method == Method::finite_strain) return "not with method \"finite_strain\"";
   return {};
 }
@@ -334,9 +371,10 @@ std::vector<std::string> check(const RollingScene& scene) {
   const bool in_range = broken.lines.empty();
   check_thicknesses(scene, broken);
   check_alternatives(scene, broken);
+  check_crown(scene, broken);
   check_against_radius(scene, broken);
   check_drive(scene, broken);
-  check_skew(scene, broken);
+  check_turning(scene, broken);
   check_traction_limit(scene, broken);
   check_model(scene, in_range, broken);
   return broken.lines;

@@ -31,7 +31,8 @@ NaturalMaps natural_maps(const ContactProblem& problem, const InfluenceOperator&
       const Eigen::Index i = grid.index(column, row), at = static_cast<Eigen::Index>(row) * (grid.columns + 1) + column;
       maps.slip_x(i) = problem.slip_x(i, (maps.moved.u(at + 1) - maps.moved.u(at)) / grid.spacing_x, x.rotation_ratio);
       if (problem.lateral)
-        maps.slip_y(i) = problem.slip_y((maps.moved.v(at + 1) - maps.moved.v(at)) / grid.spacing_x, x.rotation_ratio);
+        maps.slip_y(i) =
+            problem.slip_y(i, (maps.moved.v(at + 1) - maps.moved.v(at)) / grid.spacing_x, x.rotation_ratio);
     }
   if (problem.friction) problem.edge.add(x.shear_x, x.shear_y, maps.slip_x, maps.slip_y);
   for (int row = 0; row < grid.rows; ++row)
@@ -58,13 +59,13 @@ NaturalMaps natural_maps(const ContactProblem& problem, const InfluenceOperator&
       if (problem.lateral) count((x.shear_y(i) - projection.y()) * per_friction);
     }
   if (problem.load_given()) {
-    const double missing = *problem.model.load - problem.load(x.pressure, x.shear_x);
+    const double missing = *problem.model.load - problem.load(x.pressure, x.shear_x, x.shear_y);
     count(missing / *problem.model.load * scale);
   }
   if (problem.friction && !problem.rotation_given()) {
-    const double force = std::max(problem.load(x.pressure, x.shear_x), 1e-300);
+    const double force = std::max(problem.load(x.pressure, x.shear_x, x.shear_y), 1e-300);
     if (problem.coating_drives()) maps.coating = coating_moments(problem, influence, x);
-    count(problem.drive_surplus(x.pressure, x.shear_x, maps.coating) / force * scale);
+    count(problem.drive_surplus(x.pressure, x.shear_x, x.shear_y, maps.coating) / force * scale);
   }
   return maps;
 }
@@ -167,9 +168,9 @@ LawResiduals law_residuals(const ContactProblem& problem, const InfluenceOperato
     }
     if (problem.lateral && !problem.sheared_across(node)) right.shear_y(i) = -x.shear_y(node);
   }
-  if (problem.load_given()) right.load = *problem.model.load - problem.load(x.pressure, x.shear_x);
+  if (problem.load_given()) right.load = *problem.model.load - problem.load(x.pressure, x.shear_x, x.shear_y);
   if (problem.friction && !problem.rotation_given())
-    right.drive = -problem.drive_surplus(x.pressure, x.shear_x, maps.coating);
+    right.drive = -problem.drive_surplus(x.pressure, x.shear_x, x.shear_y, maps.coating);
   return right;
 }
 

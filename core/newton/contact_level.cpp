@@ -23,13 +23,13 @@ ContactUnknowns first_guess(const ContactProblem& problem, const ContactEstimate
   const bool adhesive = problem.model.adhesion_threshold > 0;
   for (int row = 0; row < grid.rows; ++row)
     for (int column = 0; column < grid.columns; ++column) {
-      const double r = std::hypot(grid.x(column), grid.y(row)) / estimate.half_width;
+      const double r = std::hypot(grid.x(column), grid.y(row) / estimate.elongation) / estimate.half_width;
       if (adhesive)
         guess.pressure(grid.index(column, row)) = 1;
       else if (r < 1)
         guess.pressure(grid.index(column, row)) = std::sqrt(1 - r * r);
     }
-  const double load = problem.load(guess.pressure, {});
+  const double load = problem.load(guess.pressure, {}, {});
   if (load > 0) guess.pressure *= estimate.load / load;
   guess.approach = problem.model.approach.value_or(std::isfinite(estimate.approach) ? estimate.approach : 0);
   return guess;
@@ -42,17 +42,17 @@ Vector interpolate(const Vector& values, const SurfaceGrid& from, const SurfaceG
   Vector result(to.size());
   const auto at = [&](int column, int row) {
     double sign = 1;
-    if (row < 0) {
+    if (from.folded && row < 0) {
       row = -row;
       sign = parity;
     }
-    if (column < 0 || column >= from.columns || row >= from.rows) return 0.0;
+    if (column < 0 || column >= from.columns || row < 0 || row >= from.rows) return 0.0;
     return sign * values(from.index(column, row));
   };
   for (int row = 0; row < to.rows; ++row)
     for (int column = 0; column < to.columns; ++column) {
       const double x = (to.x(column) - from.origin_x) / from.spacing_x - from.first_column;
-      const double y = to.y(row) / from.spacing_y;
+      const double y = to.y(row) / from.spacing_y - from.first_row;
       const double left = std::floor(x), below = std::floor(y), fx = x - left, fy = y - below;
       const int c = static_cast<int>(left), r = static_cast<int>(below);
       double value = (1 - fx) * at(c, r) + fx * at(c + 1, r);
@@ -88,20 +88,23 @@ SurfaceGrid follow(const ContactLevel& level, const SurfaceGrid& like, double ma
       if (level.outcome.zone[static_cast<std::size_t>(grid.index(column, row))] != Zone::free) {
         leading = std::max(leading, grid.x(column));
         trailing = std::min(trailing, grid.x(column));
-        half_width = std::max(half_width, grid.y(row));
+        half_width = std::max(half_width, std::abs(grid.y(row)));
       }
   if (leading < trailing) return like;  // no contact: around nothing
   const double widest = widest_window(level.problem->model);
   SurfaceGrid next = like;
   // Columns beyond the origin, and rows, that reach as far as a distance from under the axis.
-  const auto cells = [&](double distance, double origin, double spacing) {
+  const auto cells = [&](double distance, double origin, double spacing, double widest) {
     return checked_count(std::ceil((std::clamp(distance, -widest, widest) - origin) / spacing - 1e-9),
                          "cells of a window");
   };
-  next.first_column = -cells(margin - trailing, -like.origin_x, like.spacing_x);
-  next.columns = cells(leading + margin, like.origin_x, like.spacing_x) - next.first_column + 1;
-  next.first_row = 0;
-  next.rows = level.problem->plane ? cells(half_width + margin, 0, like.spacing_y) + 1 : 1;
+  next.first_column = -cells(margin - trailing, -like.origin_x, like.spacing_x, widest);
+  next.columns = cells(leading + margin, like.origin_x, like.spacing_x, widest) - next.first_column + 1;
+  if (level.problem->plane) {
+    const int aside = cells(half_width + margin, 0, like.spacing_y, widest_across(level.problem->model));
+    next.first_row = like.folded ? 0 : -aside;
+    next.rows = aside - next.first_row + 1;
+  }
   require_nodes(next.columns, next.rows, next.spacing_x);
   return next;
 }

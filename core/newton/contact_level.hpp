@@ -21,7 +21,7 @@ struct ContactLevel {
   EdgeCorrection edge;  // of the finest grid alone
 };
 
-/// A level without a solution yet, on a half grid.
+/// A level without a solution yet.
 ContactLevel make_level(const ContactModel& model, const SurfaceGrid& grid);
 
 /// Pressure like an elliptical dome over the estimated contact, without shear. With adhesion the contact peels from the

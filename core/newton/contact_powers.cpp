@@ -34,7 +34,8 @@ double friction_by_law(const ContactProblem& problem, const Displacements& moved
     const double weight = grid.cell_area() * problem.images(i);
     if (coating.w.size() == 0) {
       sum += weight * unknowns.shear_x(i) * (slip_x(i) + problem.slip_x(i, slope(moved.u), unknowns.rotation_ratio));
-      if (problem.lateral) sum += weight * unknowns.shear_y(i) * (slip_y(i) + problem.sideways + slope(moved.v));
+      if (problem.lateral)
+        sum += weight * unknowns.shear_y(i) * (slip_y(i) + problem.slip_y(i, slope(moved.v), unknowns.rotation_ratio));
       continue;
     }
     const double x = grid.x(static_cast<int>(i % grid.columns)), y = grid.y(static_cast<int>(i / grid.columns));
@@ -42,8 +43,9 @@ double friction_by_law(const ContactProblem& problem, const Displacements& moved
     sum += weight * unknowns.shear_x(i) *
            (slip_x(i) + rigid.forward - turning * rigid.turning + slope(moved.u) + (turning - 1) * slope(coating.u));
     if (problem.lateral)
-      sum += weight * unknowns.shear_y(i) *
-             (slip_y(i) + problem.sideways + slope(moved.v) + (turning - 1) * slope(coating.v));
+      sum +=
+          weight * unknowns.shear_y(i) *
+          (slip_y(i) + rigid.forward_y - turning * rigid.turning_y + slope(moved.v) + (turning - 1) * slope(coating.v));
   }
   return sum;
 }
@@ -133,16 +135,16 @@ ContactPowers contact_powers(const ContactProblem& problem, const Displacements&
       powers.layer -= force_u * along + force_v * across;
       powers.drawn += force_u;
       borne += weight * problem.law.bound(unknowns.pressure(i));
-      powers.friction +=
-          force_u * (rigid.forward + along - turning * rigid.turning) + force_v * (problem.sideways + across);
+      powers.friction += force_u * (rigid.forward + along - turning * rigid.turning) +
+                         force_v * (rigid.forward_y + across - turning * rigid.turning_y);
     }
   powers.unbalanced += (problem.shape.of_coating() - 1) * (turning - 1) * powers.coating.pressed;
   if (problem.friction) powers.by_law = friction_by_law(problem, moved, coating, unknowns, zone);
   if (load > 0) powers.sticking /= load;
   powers.drawn = load > 0 && problem.friction ? std::min(1.0, std::abs(powers.drawn) / borne) : 1;
   powers.cells = std::sqrt(nodes / std::numbers::pi);
-  powers.resultants = problem.resistance(unknowns.pressure, unknowns.shear_x, unknowns.rotation_ratio, powers.coating) +
-                      problem.sideways * problem.axial_force(unknowns.shear_y);
+  powers.resultants = problem.resistance(unknowns.pressure, unknowns.shear_x, unknowns.shear_y, unknowns.rotation_ratio,
+                                         powers.coating);
   powers.share = share_of_losses(powers.losses(), powers.halves);
   return powers;
 }

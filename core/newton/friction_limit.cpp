@@ -32,8 +32,8 @@ class Surplus {
     if (!level.outcome.converged) return RollingSolution::absent;
     const ContactProblem wanted(model_, level.problem->grid);
     const ContactUnknowns& x = level.outcome.unknowns;
-    const double value =
-        direction_ * wanted.drive_surplus(x.pressure, x.shear_x, coating_moments(wanted, *level.influence, x));
+    const double value = direction_ * wanted.drive_surplus(x.pressure, x.shear_x, x.shear_y,
+                                                           coating_moments(wanted, *level.influence, x));
     last_ = std::move(level);
     return value;
   }

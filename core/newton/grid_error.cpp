@@ -89,7 +89,8 @@ ContactIntegrals contact_integrals(const ContactProblem& problem, const Vector& 
       sums.roughness += width * std::pow(pressure(i) - pressure(i - 1), 2) / spacing;
   }
   // The angle between the motion and the edge's normal, as of an ellipse.
-  const double half_width = (rows.empty() ? 0 : rows.back().y) + 0.5 * grid.spacing_y;
+  const double farthest = rows.empty() ? 0 : std::max(std::abs(rows.front().y), std::abs(rows.back().y));
+  const double half_width = farthest + 0.5 * grid.spacing_y;
   for (const Row& row : rows) {
     const double across = row.y / half_width, along = std::sqrt(1 - across * across);
     sums.edge_slopes += row.edge_slopes * along / std::hypot(along, across * sums.half_length / half_width);

@@ -41,7 +41,7 @@ PressureEllipse pressure_ellipse(const ContactLevel& level) {
   double sum = 0, first = 0, second_x = 0, second_y = 0;
   for (int row = 0; row < grid.rows; ++row)
     for (int column = 0; column < grid.columns; ++column) {
-      const double p = level.outcome.unknowns.pressure(grid.index(column, row)) * (row > 0 ? 2 : 1);
+      const double p = level.outcome.unknowns.pressure(grid.index(column, row)) * grid.images(row);
       const double x = grid.x(column), y = grid.y(row);
       sum += p;
       first += p * x;
@@ -57,13 +57,12 @@ PressureEllipse pressure_ellipse(const ContactLevel& level) {
 
 GridSeries fixed_grids(const ContactModel& model, double spacing) {
   const double half_width = expected_half_width(model), widest = widest_window(model);
-  window(model.dimension, spacing,
-         std::min(1.3 * half_width + 3 * spacing, widest));  // refused before all coarser ones
+  window(model, spacing, std::min(1.3 * half_width + 3 * spacing, widest));  // refused before all coarser ones
   GridSeries series;
   series.coarsest = coarsenings(half_width / spacing);
-  series.first = [=, dimension = model.dimension](int coarsening) {
+  series.first = [=](int coarsening) {
     const double own = std::ldexp(spacing, coarsening);
-    return window(dimension, own, std::min(1.3 * half_width + 3 * own, widest));
+    return window(model, own, std::min(1.3 * half_width + 3 * own, widest));
   };
   series.around = [spacing](const ContactLevel& level, int coarsening) {
     SurfaceGrid grid = level.problem->grid;
@@ -79,9 +78,9 @@ GridSeries tied_grids(const ContactModel& model, double cells_on_half_width) {
   const double half_width = expected_half_width(model), widest = widest_window(model);
   GridSeries series;
   series.coarsest = coarsenings(cells_on_half_width);
-  series.first = [=, dimension = model.dimension](int coarsening) {
+  series.first = [=](int coarsening) {
     const double own = half_width / std::ldexp(cells_on_half_width, -coarsening);
-    return window(dimension, own, std::min(1.3 * half_width + 3 * own, widest));
+    return window(model, own, std::min(1.3 * half_width + 3 * own, widest));
   };
   series.around = [cells_on_half_width](const ContactLevel& level, int coarsening) {
     SurfaceGrid grid = level.problem->grid;
@@ -102,9 +101,9 @@ GridSeries tied_lines(const ContactModel& model, double cells_on_half_width) {
   GridSeries series;
   series.tied = true;
   series.coarsest = coarsenings(cells_on_half_width);
-  series.first = [=, dimension = model.dimension](int coarsening) {
+  series.first = [=](int coarsening) {
     const double own = half_width / std::ldexp(cells_on_half_width, -coarsening);
-    return window(dimension, own, std::min(1.3 * half_width + 3 * own, widest));
+    return window(model, own, std::min(1.3 * half_width + 3 * own, widest));
   };
   series.around = [cells_on_half_width](const ContactLevel& level, int coarsening) {
     SurfaceGrid grid = level.problem->grid;

@@ -88,16 +88,16 @@ class Assessment {
   }
 
   void sum_forces() {
-    const Vector &pressure = unknowns_.pressure, &shear = unknowns_.shear_x;
-    s_.load = problem_.load(pressure, shear);
+    const Vector &pressure = unknowns_.pressure, &shear = unknowns_.shear_x, &across = unknowns_.shear_y;
+    s_.load = problem_.load(pressure, shear, across);
     s_.mean_pressure = s_.load / s_.contact_area;
     s_.rolling_resistance = powers_.resultants;
     const double turning = problem_.turning_ratio(unknowns_.rotation_ratio), radius = problem_.model.radius;
     const double of_coating = problem_.shape.of_coating() * powers_.coating.pressed;
     if (problem_.friction) {
       s_.driving_torque =
-          problem_.torque(pressure, shear) + radius * problem_.shape.of_coating() * powers_.coating.in_torque();
-      s_.driving_force = problem_.driving_force(pressure, shear) - of_coating;
+          problem_.torque(pressure, shear, across) + radius * problem_.shape.of_coating() * powers_.coating.in_torque();
+      s_.driving_force = problem_.driving_force(pressure, shear, across) - of_coating;
       s_.rotation_ratio = turning;
       s_.rotation_speed = turning * problem_.model.speed / radius;
     } else {
@@ -106,8 +106,22 @@ class Assessment {
       s_.driving_torque = radius * of_coating;
       s_.driving_force = s_.rolling_resistance - turning * of_coating;
     }
-    if (problem_.model.skewed()) s_.axial_force = problem_.axial_force(unknowns_.shear_y);
+    sum_sideways();
     s_.rolling_resistance_coefficient = s_.rolling_resistance / s_.load;
+  }
+
+  /// Forces across the travel, or along the axle of a skewed cylinder, and moments about the middle of the axle.
+  void sum_sideways() {
+    const Vector &pressure = unknowns_.pressure, &along = unknowns_.shear_x, &across = unknowns_.shear_y;
+    const IndenterShape& shape = problem_.shape;
+    const double force = problem_.side_force(pressure, along, across);
+    if (problem_.model.skewed()) s_.axial_force = force;
+    if (problem_.model.mirrored()) return;
+    s_.lateral_force = force;
+    s_.spin_moment =
+        problem_.sum_of(pressure, along, across, [&](double x, double y) { return shape.spin_moment(x, y); });
+    s_.overturning_moment =
+        problem_.sum_of(pressure, along, across, [&](double x, double y) { return shape.overturning(x, y); });
   }
 
   /// Slip over speed at contact nodes, by the scene's stencil for the paper's method, forward otherwise.
@@ -125,7 +139,7 @@ class Assessment {
       const double distance = static_cast<double>(right - left) * grid.spacing_x;
       slip_x_(i) = problem_.slip_x(i, (moved_.u(right) - moved_.u(left)) / distance, unknowns_.rotation_ratio);
       if (problem_.lateral)
-        slip_y_(i) = problem_.slip_y((moved_.v(right) - moved_.v(left)) / distance, unknowns_.rotation_ratio);
+        slip_y_(i) = problem_.slip_y(i, (moved_.v(right) - moved_.v(left)) / distance, unknowns_.rotation_ratio);
     }
     if (problem_.lateral) problem_.edge.add(unknowns_.shear_x, unknowns_.shear_y, slip_x_, slip_y_);
   }
@@ -159,7 +173,9 @@ class Assessment {
     if (model.load) violated(std::abs(s_.load - *model.load) / *model.load);
     if (model.approach) violated(std::abs(unknowns_.approach - *model.approach) / *model.approach);
     if (problem_.friction && !problem_.rotation_given())
-      violated(std::abs(problem_.drive_surplus(unknowns_.pressure, unknowns_.shear_x, powers_.coating)) / s_.load);
+      violated(
+          std::abs(problem_.drive_surplus(unknowns_.pressure, unknowns_.shear_x, unknowns_.shear_y, powers_.coating)) /
+          s_.load);
     s_.law_violation = worst;
   }
 

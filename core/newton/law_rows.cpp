@@ -25,12 +25,14 @@ LawRows<Real>::LawRows(const ContactProblem& problem, const ActiveLaws& laws)
   load_shear_ = gathered(problem.load.of_shear_x, per_force);
   drive_ = gathered(problem.drive.of_pressure, per_force);
   drive_shear_ = gathered(problem.drive.of_shear_x, per_force);
+  if (components_ > 2) drive_shear_y_ = gathered(problem.drive.of_shear_y, per_force);
   if (laws.coating.of_pressure.size() > 0) {
     drive_ += gathered(laws.coating.of_pressure, per_force);
     drive_shear_ += gathered(laws.coating.of_shear_x, per_force);
-    if (components_ > 2) drive_shear_y_ = gathered(laws.coating.of_shear_y, per_force);
+    if (components_ > 2) drive_shear_y_ += gathered(laws.coating.of_shear_y, per_force);
   }
   turning_ = gathered(problem.turning, 1);
+  if (components_ > 2) turning_y_ = gathered(problem.turning_y, 1);
   direction_x_ = laws.direction_x.cast<Real>();
   direction_y_ = laws.direction_y.cast<Real>();
   beta_ = laws.beta.cast<Real>();
@@ -55,7 +57,7 @@ auto LawRows<Real>::border_rows(const VectorR& x) const -> VectorR {
   if (approach_unknown_) rows(at++) = load_.dot(pressure) + load_shear_.dot(shear);
   if (rotation_unknown_) {
     rows(at) = drive_.dot(pressure) + drive_shear_.dot(shear);
-    if (drive_shear_y_.size() > 0) rows(at) += drive_shear_y_.dot(x.segment(2 * contacts_, contacts_));
+    if (components_ > 2) rows(at) += drive_shear_y_.dot(x.segment(2 * contacts_, contacts_));
   }
   return rows;
 }
@@ -72,7 +74,7 @@ auto LawRows<Real>::operator()(const VectorR& x, const ScaledResponse<Real>& res
   const Real rotation = rotation_unknown_ ? x(unknowns() - 1) : Real(0);
   for (Eigen::Index i = 0; i < n; ++i) {
     const Real slip_x = response.slip_x(i) - turning_(i) * rotation;
-    const Real slip_y = components_ > 2 ? response.slip_y(i) : Real(0);
+    const Real slip_y = components_ > 2 ? response.slip_y(i) - turning_y_(i) * rotation : Real(0);
     const Real tx = x(n + i), ty = components_ > 2 ? x(2 * n + i) : Real(0);
     Real row_x = -slip_x, row_y = -slip_y;
     if (!sticks(i))

@@ -61,7 +61,7 @@ class LawRows {
   Eigen::Index contacts_, components_, border_;
   bool approach_unknown_, rotation_unknown_;
   double force_scale_;
-  VectorR direction_x_, direction_y_, beta_, slope_, turning_;
+  VectorR direction_x_, direction_y_, beta_, slope_, turning_, turning_y_;
   VectorR load_, load_shear_, drive_, drive_shear_, drive_shear_y_;  // over force_scale
   std::vector<char> sticks_, sheared_across_;
 };

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <sstream>
 
+#include "core/edge/folded_grid.hpp"
 #include "core/estimate/grid_choice.hpp"
 #include "core/messages/message_text.hpp"
 #include "core/model/contact_surface.hpp"
@@ -84,7 +85,7 @@ EdgeCorrection correction_of(const ContactLevel& level) {
   const ContactUnknowns& x = level.outcome.unknowns;
   const double turning = problem.turning_ratio(x.rotation_ratio) / problem.shape.radius();
   PressedSphere sphere{model, problem.grid, *level.influence, problem.profile, problem.load.of_pressure, {}};
-  sphere.of_resistance = problem.driving_force.of_pressure + turning * problem.torque.of_pressure;
+  sphere.of_resistance = problem.resisting.of_pressure + turning * problem.torque.of_pressure;
   if (level.influence->coating()) {
     const double part = problem.shape.of_coating() * (problem.turning_ratio(x.rotation_ratio) - 1);
     sphere.of_resistance += moments_row(problem, *level.influence, x, {part, 0}).of_pressure;
@@ -96,11 +97,29 @@ EdgeCorrection correction_of(const ContactLevel& level) {
     for (Eigen::Index row = 0; row < grid.rows; ++row)
       sphere.height.segment(row * grid.columns, grid.columns) -=
           by_shear.w.segment(row * (grid.columns + 1), grid.columns);
-    sphere.resistance_of_shear = problem.resistance(none, x.shear_x, x.rotation_ratio, {});
+    sphere.resistance_of_shear = problem.resistance(none, x.shear_x, x.shear_y, x.rotation_ratio, {});
   }
   if (level.influence->coating())  // of which M is no linear functional
     sphere.resistance_of_shear = level.powers.resultants - sphere.of_resistance.dot(x.pressure);
-  return edge_correction(sphere, x.pressure, x.approach);
+  if (problem.grid.folded) return edge_correction(sphere, x.pressure, x.approach);
+  // By what is even in y of the height and the pressure: the rest is small of first order, and acts by its square.
+  const SurfaceGrid half = folded(problem.grid);
+  const auto sum_of_sides = [&](const Vector& values) -> Vector {
+    return side_of(problem.grid, values, 1) + side_of(problem.grid, values, -1);
+  };
+  const auto without_twice = [&](Vector values) {  // what the sum has twice on the axis
+    values.head(half.columns) *= 0.5;
+    return values;
+  };
+  const InfluenceOperator even(model, *level.table, half, false);
+  const PressedSphere mean{model,
+                           half,
+                           even,
+                           0.5 * sum_of_sides(sphere.height),
+                           without_twice(sum_of_sides(sphere.of_load)),
+                           without_twice(sum_of_sides(sphere.of_resistance)),
+                           sphere.resistance_of_shear};
+  return edge_correction(mean, 0.5 * sum_of_sides(x.pressure), x.approach);
 }
 
 /// A solution of even cells becomes one with the edge that its pressure tells, if there is one.
@@ -121,7 +140,8 @@ SurfaceGrid cover(const SurfaceGrid& a, const SurfaceGrid& b) {
   SurfaceGrid both = a;
   both.first_column = std::min(a.first_column, b.first_column);
   both.columns = std::max(a.first_column + a.columns, b.first_column + b.columns) - both.first_column;
-  both.rows = std::max(a.rows, b.rows);
+  both.first_row = std::min(a.first_row, b.first_row);
+  both.rows = std::max(a.first_row + a.rows, b.first_row + b.rows) - both.first_row;
   return both;
 }
 
@@ -186,7 +206,7 @@ double NestedOutcome::last_change() const {
 GridNumbers NestedOutcome::numbers() const {
   const ContactUnknowns& x = finest.outcome.unknowns;
   return {finest.powers.resistance(), finest.problem->turning_ratio(x.rotation_ratio),
-          finest.problem->axial_force(x.shear_y)};
+          finest.problem->side_force(x.pressure, x.shear_x, x.shear_y)};
 }
 
 HalvingLimit NestedOutcome::limit(double GridNumbers::*number) const {

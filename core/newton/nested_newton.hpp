@@ -10,9 +10,9 @@
 
 namespace rollres {
 
-/// Of one grid: R_r and the axial force [N/m], and R Omega/V [1].
+/// Of one grid: R_r and the side force (ContactProblem), and R Omega/V [1].
 struct GridNumbers {
-  double resistance = 0, rotation_ratio = 0, axial_force = 0;
+  double resistance = 0, rotation_ratio = 0, side_force = 0;
 };
 
 struct NestedOutcome {

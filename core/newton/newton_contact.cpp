@@ -33,7 +33,8 @@ bool touches_border(const ContactProblem& problem, const ContactMask& contact) {
   for (int row = 0; row < grid.rows; ++row)
     for (int column = 0; column < grid.columns; ++column)
       if (contact[static_cast<std::size_t>(grid.index(column, row))] &&
-          (column == 0 || column == grid.columns - 1 || (problem.plane && row == grid.rows - 1)))
+          (column == 0 || column == grid.columns - 1 ||
+           (problem.plane && (row == grid.rows - 1 || (!grid.folded && row == 0)))))
         return true;
   return false;
 }

@@ -40,7 +40,7 @@ namespace {
 double surplus(const ContactProblem& problem, const ContactLevel& level, const NewtonOutcome& at) {
   const CoatingMoments moments =
       problem.coating_drives() ? coating_moments(problem, *level.influence, at.unknowns) : CoatingMoments{};
-  return problem.drive_surplus(at.unknowns.pressure, at.unknowns.shear_x, moments);
+  return problem.drive_surplus(at.unknowns.pressure, at.unknowns.shear_x, at.unknowns.shear_y, moments);
 }
 
 /// Solution with the drive's row between two neighbours on the path, where its surplus changes sign.

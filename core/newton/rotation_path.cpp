@@ -118,9 +118,10 @@ std::optional<ContactUnknowns> RotationPath::tangent(const ActiveLaws& laws, con
     require_time();
     freely_.drive.of_pressure = to_force * along.pressure;
     freely_.drive.of_shear_x = to_force * along.shear_x;
+    if (turning_.lateral) freely_.drive.of_shear_y = to_force * along.shear_y;
     LawResiduals right;
     right.normal = right.shear_x = right.shear_y = Vector::Zero(n);
-    right.drive = freely_.drive(along.pressure, along.shear_x);
+    right.drive = freely_.drive(along.pressure, along.shear_x, along.shear_y);
     const NewtonSystem system(freely_, *level_->influence, laws);
     const LinearStep linear = static_cast<int>(3 * n) <= options_.factorisable_unknowns
                                   ? system.solve_dense(*level_->table, right)
@@ -135,7 +136,7 @@ std::optional<ContactUnknowns> RotationPath::tangent(const ActiveLaws& laws, con
 std::optional<NewtonOutcome> RotationPath::correct(const ContactUnknowns& predicted, double reach) {
   NewtonOutcome outcome;
   if (turning_.lateral) {
-    freely_.drive_target = freely_.drive(predicted.pressure, predicted.shear_x);
+    freely_.drive_target = freely_.drive(predicted.pressure, predicted.shear_x, predicted.shear_y);
     outcome = newton_contact(freely_, *level_->table, *level_->influence, predicted, options_);
     iterations_ += outcome.iterations;
     if (!outcome.converged) return {};

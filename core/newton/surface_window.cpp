@@ -14,22 +14,24 @@ namespace {
 
 /// Columns and rows from the first to the last in contact.
 struct ContactFrame {
-  int first_column, last_column, last_row;
+  int first_column, last_column, first_row, last_row;
 
-  explicit ContactFrame(const SurfaceFields& fields) : first_column(fields.grid.columns), last_column(0), last_row(0) {
+  explicit ContactFrame(const SurfaceFields& fields)
+      : first_column(fields.grid.columns), last_column(0), first_row(fields.grid.rows), last_row(0) {
     const SurfaceGrid& grid = fields.grid;
     for (int row = 0; row < grid.rows; ++row)
       for (int column = 0; column < grid.columns; ++column) {
         if (fields.zone[static_cast<std::size_t>(grid.index(column, row))] == Zone::free) continue;
         first_column = std::min(first_column, column);
         last_column = std::max(last_column, column);
+        first_row = std::min(first_row, row);
         last_row = std::max(last_row, row);
       }
   }
 };
 
-/// Half grid (rows y >= 0 of a sphere) over the margin around the contact.
-SurfaceGrid half_window(const ContactModel& model, const SurfaceFields& fields, double margin) {
+/// Grid over the margin around the contact, folded if the model is mirrored.
+SurfaceGrid window_around(const ContactModel& model, const SurfaceFields& fields, double margin) {
   const SurfaceGrid& given = fields.grid;
   const ContactFrame contact(fields);
   const double half_length = 0.5 * given.spacing_x * (contact.last_column - contact.first_column + 1);
@@ -38,7 +40,7 @@ SurfaceGrid half_window(const ContactModel& model, const SurfaceFields& fields, 
   };
   int ahead = cells(margin * half_length, given.spacing_x), aside = cells(margin * half_length, given.spacing_y);
   const int contact_columns = contact.last_column - contact.first_column + 1;
-  const int top_row = given.first_row + contact.last_row;
+  const int top_row = std::max(given.first_row + contact.last_row, -(given.first_row + contact.first_row));
   if (model.period) {  // the coefficients reach half a period
     const auto most = [&](double spacing) {
       return (checked_count(*model.period / spacing, "cells of a period") - 1) / 2;
@@ -51,7 +53,8 @@ SurfaceGrid half_window(const ContactModel& model, const SurfaceFields& fields, 
   half.columns = contact_columns + 2 * ahead;
   half.first_row = 0;
   half.rows = model.dimension == 3 ? top_row + aside + 1 : 1;
-  return half;
+  half.folded = model.dimension == 3;
+  return model.mirrored() ? half : mirrored(half);
 }
 
 }  // namespace
@@ -59,10 +62,10 @@ SurfaceGrid half_window(const ContactModel& model, const SurfaceFields& fields, 
 SurfaceFields surface_around(const ContactModel& model, const RollingSolution& solution, double margin) {
   const SurfaceFields& given = solution.fields;
   if (!on_grid(solution.method)) return given;
-  const SurfaceGrid half = half_window(model, given, margin);
+  const SurfaceGrid own = window_around(model, given, margin);
 
   SurfaceFields wide;
-  wide.grid = mirrored(half);
+  wide.grid = mirrored(own);
   const SurfaceGrid &from = given.grid, &to = wide.grid;
   const auto continued = [&](const auto& values, auto beyond) {
     std::vector all(values.empty() ? 0 : static_cast<std::size_t>(to.size()), beyond);
@@ -86,15 +89,15 @@ SurfaceFields surface_around(const ContactModel& model, const RollingSolution& s
 
   const auto upper = [&](const std::vector<double>& values) {
     const Eigen::Map<const Vector> whole(values.data(), static_cast<Eigen::Index>(values.size()));
-    return Vector(whole.tail(std::min<Eigen::Index>(whole.size(), half.size())));
+    return Vector(whole.tail(std::min<Eigen::Index>(whole.size(), own.size())));
   };
-  const InfluenceOperator influence(model, influence_table(model, to), half, true);
+  const InfluenceOperator influence(model, influence_table(model, to), own, true);
   const Displacements moved = influence.apply(upper(wide.pressure), upper(wide.shear_x), upper(wide.shear_y));
   const auto whole = [&](const Vector& values, double parity) {
-    Vector kept(half.size());
-    for (int row = 0; row < half.rows; ++row)
-      kept.segment(half.index(0, row), half.columns) = values.segment(row * (half.columns + 1), half.columns);
-    const Vector all = mirrored(half, kept, parity);
+    Vector kept(own.size());
+    for (int row = 0; row < own.rows; ++row)
+      kept.segment(own.index(0, row), own.columns) = values.segment(row * (own.columns + 1), own.columns);
+    const Vector all = mirrored(own, kept, parity);
     return std::vector<double>(all.begin(), all.end());
   };
   wide.w = whole(moved.w, 1);

@@ -5,6 +5,7 @@
 /// For a given contact area and normal forces F_W it finds the nodes that slip, the shear forces and the rotation. The
 /// slip velocity of the body relative to the layer, over V, is
 ///     s_x = 1 + du/dx - (R(y)/R) R Omega/V,   s_y = dv/dx,   R(y) = sqrt(R^2 - y^2)  (cylinder: R)   (15, 25, 26)
+/// (with consistent kinematics the body's rigid slip as indenter_shape.hpp has it, along y, too)
 /// and vanishes where the body sticks; where it slips, the friction on the layer is mu |F_W| along s.
 ///
 /// The linear systems. A sticking node i obeys the forward difference (u(i+1) - u(i))/a = (R(y)/R) R Omega/V - 1 (and
@@ -76,16 +77,16 @@ class TangentialProblem {
   double slip_threshold = 0;
   std::optional<double> given_rotation;  // R Omega / V, as the law of friction takes it (indenter_shape.hpp)
   std::vector<int> contact;
-  Eigen::VectorXd limit;       // of friction at every node, also in tension
-  Eigen::VectorXd moment_arm;  // at every node, over R: sum(moment_arm F_U) = moment, the drive's row
-  double moment = 0;           // [N; cylinder: N/m]
-  Eigen::VectorXd turning;     // of the slip, at every node (indenter_shape.hpp)
-  double scale = 1;            // the change of s_x at a node with its own F_U
+  Eigen::VectorXd limit;                     // of friction at every node, also in tension
+  Eigen::VectorXd moment_arm, moment_arm_y;  // at every node, over R: sum(moment_arm F_U + moment_arm_y F_V) = moment
+  double moment = 0;                         // of the drive's row [N; cylinder: N/m]
+  Eigen::VectorXd turning, turning_y;        // of the slip, at every node (indenter_shape.hpp)
+  double scale = 1;                          // the change of s_x at a node with its own F_U
 
  private:
   Eigen::VectorXd normal_force_;
   double drive_target_ = 0;
-  Eigen::VectorXd forward_slip_;               // s_x at every node, without displacements and rotation
+  Eigen::VectorXd forward_slip_[2];            // s_x, s_y at every node, without displacements and rotation
   Eigen::VectorXd normal_arm_;                 // of every node, in the drive's row, over R
   OffsetKernel forward_[2][3], chosen_[2][3];  // slope of u, v (first index) for F_W, F_U, F_V (second)
 };

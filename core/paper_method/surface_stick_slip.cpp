@@ -152,6 +152,7 @@ void SurfaceStickSlip::slip_of(const std::vector<int>& nodes, const StickSlip& s
   slip_x = problem_.slip(0, nodes, problem_.contact, state.force_x, state.force_y, false);
   slip_x -= state.rotation_ratio * problem_.turning(nodes);
   slip_y = problem_.slip(1, nodes, problem_.contact, state.force_x, state.force_y, false);
+  slip_y -= state.rotation_ratio * problem_.turning_y(nodes);
 }
 
 /// Without a sticking node the system says nothing about the rotation: it is set so that the forces after the next
@@ -167,8 +168,8 @@ void SurfaceStickSlip::balance_rotation(const std::vector<int>& slip_nodes, Stic
       const int node = slip_nodes[k];
       const FrictionProjection next(problem_.limit[node],
                                     state.force_x[node] + weight_ * (slip_x[k] - rotation * problem_.turning[node]),
-                                    state.force_y[node] + weight_ * slip_y[k]);
-      sum += problem_.moment_arm[node] * next.x();
+                                    state.force_y[node] + weight_ * (slip_y[k] - rotation * problem_.turning_y[node]));
+      sum += problem_.moment_arm[node] * next.x() + problem_.moment_arm_y[node] * next.y();
     }
     return sum;
   };

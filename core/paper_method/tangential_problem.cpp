@@ -23,19 +23,22 @@ TangentialProblem::TangentialProblem(const ContactModel& model, const InfluenceT
     }
   scale = std::abs(forward_[0][1](0, 0));
   normal_arm_.resize(grid.size());
-  forward_slip_.resize(grid.size());
-  turning.resize(grid.size());
-  moment_arm.resize(grid.size());
+  for (Eigen::VectorXd* field :
+       {&forward_slip_[0], &forward_slip_[1], &turning, &turning_y, &moment_arm, &moment_arm_y})
+    field->resize(grid.size());
   for (int row = 0; row < grid.rows; ++row)
     for (int column = 0; column < grid.columns; ++column) {
       const int node = grid.index(column, row);
       const double x = grid.x(column), y = grid.y(row);
       const LeverArm torque = shape.torque(x, y), force = shape.driving_force(x, y);
       const RigidSlip rigid = shape.law_slip(x + 0.5 * grid.spacing_x, y);  // where the forward difference is centred
-      forward_slip_[node] = rigid.forward;
+      forward_slip_[0][node] = rigid.forward;
+      forward_slip_[1][node] = rigid.forward_y;
       turning[node] = rigid.turning;
+      turning_y[node] = rigid.turning_y;
       normal_arm_[node] = -drive_row(model, torque.of_pressure, force.of_pressure);
       moment_arm[node] = -drive_row(model, torque.of_shear_x, force.of_shear_x);
+      moment_arm_y[node] = -drive_row(model, torque.of_shear_y, force.of_shear_y);
     }
 }
 
@@ -49,8 +52,11 @@ void TangentialProblem::set_normal(const std::vector<int>& in_contact, const Eig
 
 double TangentialProblem::element(int row, int column) const {
   const int size = grid.size(), rotation = rotation_index();
-  if (row == rotation) return column < size ? scale * moment_arm[column] : 0;
-  if (column == rotation) return row < size ? -scale * turning[row] : 0;
+  const auto at = [size](const Eigen::VectorXd& x, const Eigen::VectorXd& y, int index) {
+    return index < size ? x[index] : y[index - size];
+  };
+  if (row == rotation) return column == rotation ? 0 : scale * at(moment_arm, moment_arm_y, column);
+  if (column == rotation) return -scale * at(turning, turning_y, row);
   return forward_[row / size][1 + column / size](row % size, column % size);
 }
 
@@ -58,8 +64,7 @@ Eigen::VectorXd TangentialProblem::slip(int component, const std::vector<int>& n
                                         const Eigen::VectorXd& force_x, const Eigen::VectorXd& force_y,
                                         bool forward) const {
   const auto& kernels = forward ? forward_[component] : chosen_[component];
-  Eigen::VectorXd values = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(nodes.size()));
-  if (component == 0) values = forward_slip_(nodes);
+  Eigen::VectorXd values = forward_slip_[component](nodes);
   kernels[0].add(nodes, contact, normal_force_, values);
   kernels[1].add(nodes, loaded, force_x, values);
   if (components == 2) kernels[2].add(nodes, loaded, force_y, values);
@@ -78,9 +83,13 @@ bool TangentialProblem::solve_sticking(SubsetSolver& system, const std::vector<i
     rhs.segment(component * n, n) = -slip(component, stick, slip_nodes, state.force_x, state.force_y, true);
   if (given_rotation) {
     rhs.head(n) += *given_rotation * turning(stick);
+    if (components == 2) rhs.segment(n, n) += *given_rotation * turning_y(stick);
   } else {
     double borne = 0;
-    for (const int node : slip_nodes) borne += moment_arm[node] * state.force_x[node];
+    for (const int node : slip_nodes) {
+      borne += moment_arm[node] * state.force_x[node];
+      if (components == 2) borne += moment_arm_y[node] * state.force_y[node];
+    }
     rhs[rhs.size() - 1] = scale * (moment - borne);
   }
   const Eigen::VectorXd solution = system.solve(unknowns, rhs);

@@ -28,6 +28,7 @@ bool is_idle(const RollingScene& scene, std::string_view key) {
     return layered->layer < layers.size() && is_idle(layers[layered->layer], layered->input);
   }
   const bool sphere = dimension_of(scene.indenter) == 3, paper = scene.method == Method::active_set;
+  if (key == "crown") return scene.indenter != Indenter::roller;
   if (key == "series_terms") return !scene.period;
   if (key == "slip_stencil" || key == "slip_threshold") return !paper;
   if (key == "resticking") return !paper || sphere;

@@ -13,14 +13,14 @@
 
 namespace rollres {
 
-/// Body that rolls: a cylinder (plane strain, solved per metre of its length) or a sphere.
-enum class Indenter { cylinder, sphere };
+/// Body that rolls: a cylinder (plane strain, solved per metre of its length), a sphere, or a crowned roller.
+enum class Indenter { cylinder, sphere, roller };
 
 /// Dimension of its contact problem: 2 (per metre of length, no y) or 3.
-constexpr int dimension_of(Indenter body) { return body == Indenter::sphere ? 3 : 2; }
+constexpr int dimension_of(Indenter body) { return body == Indenter::cylinder ? 2 : 3; }
 
 /// Of what loads, forces, torques, powers and areas of contact are: of a metre of a cylinder, of a cylinder whose width
-/// is given, or of a sphere. Their units depend on it.
+/// is given, or of a sphere or roller. Their units depend on it.
 struct Body {
   Indenter indenter = Indenter::cylinder;
   bool of_width = false;  ///< a cylinder whose width is given
@@ -28,7 +28,7 @@ struct Body {
   constexpr Body(Indenter body, bool width_given = false)
       : indenter(body), of_width(body == Indenter::cylinder && width_given) {}
   constexpr bool per_metre() const { return indenter == Indenter::cylinder && !of_width; }
-  /// "cylinder", "cylinder with a width", "sphere".
+  /// "cylinder", "cylinder with a width", "sphere", "roller".
   std::string_view name() const;
   friend constexpr auto operator<=>(const Body&, const Body&) = default;
 };
@@ -75,7 +75,7 @@ struct ChoiceNames;
 
 template <>
 struct ChoiceNames<Indenter> {
-  static constexpr std::array<std::string_view, 2> names{"cylinder", "sphere"};
+  static constexpr std::array<std::string_view, 3> names{"cylinder", "sphere", "roller"};
 };
 
 template <class Choice>

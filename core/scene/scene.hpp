@@ -75,6 +75,16 @@ struct ChoiceNames<Kinematics> {
   static constexpr std::array<std::string_view, 2> names{"consistent", "printed"};
 };
 
+/// What the outline of a crowned roller is, in a section through its axle.
+enum class Crown {
+  circle,  ///< an arc of the transverse radius, as drawings of rollers have it
+  ellipse  ///< that of an ellipsoid of the same curvature at its largest radius
+};
+template <>
+struct ChoiceNames<Crown> {
+  static constexpr std::array<std::string_view, 2> names{"circle", "ellipse"};
+};
+
 /// Whether the layers' inertia is part of the model.
 enum class Inertia {
   automatic,  ///< where it matters to a given tolerance, of a cylinder or in a periodic train
@@ -95,7 +105,9 @@ struct ChoiceNames<Interior> {
 
 struct RollingScene : MaterialInputs {
   Indenter indenter = Indenter::cylinder;
-  double radius = 0;            // R [m]
+  double radius = 0;                        // R [m]
+  std::optional<double> transverse_radius;  // of a roller's crown, across the motion [m]
+  Crown crown = Crown::circle;
   std::optional<double> width;  // of a cylinder whose load, torque, forces and powers are those of the whole body [m]
   double layer_thickness = 0;   // H [m]; infinity for a half-space
   double layer_density = 1000;  // rho [kg/m3]
@@ -110,8 +122,11 @@ struct RollingScene : MaterialInputs {
   Drive drive = Drive::top_force;
   std::optional<double> driving_torque;  // T [N m], of a cylinder without a width [N], with drive "torque"
   std::optional<double> rotation_ratio;  // R Omega / V [1], with drive "rotation"
-  std::optional<double> skew_angle;      // a of a cylinder's axle, to the left of across the travel [rad]
+  std::optional<double> skew_angle;      // a of the axle, to the left of across the travel [rad]
   std::optional<double> axial_force;     // along a cylinder's axle, in place of it [N/m], or [N] with a width
+  std::optional<double> lateral_force;   // on a sphere along y, in place of it [N]
+  double camber_angle = 0;               // g of a sphere's axle, its left end raised [rad]
+  double pivot = 0;                      // of a sphere about z over its path: the path's curvature, to the left [1/m]
   Kinematics kinematics = Kinematics::consistent;
   double adhesion_threshold = 0;    // [Pa]
   std::optional<double> spacing;    // a [m]; this or
@@ -136,6 +151,9 @@ void visit_inputs(Scene& scene, Visitor&& visitor) {
   using Q = Quantity;
   visitor(Q{"indenter", "", "", "body that rolls"}, scene.indenter);
   visitor(Q{"radius", "R", "m", "radius of the body", positive}, scene.radius);
+  visitor(Q{"transverse_radius", "R_t", "m", "radius of a roller's crown, across the motion", positive},
+          scene.transverse_radius);
+  visitor(Q{"crown", "", "", "outline of a roller along its axle"}, scene.crown);
   visitor(Q{"width", "", "m",
             "length of a cylinder along its axis; loads, forces, torques and powers are then those of the whole body",
             positive},
@@ -165,12 +183,22 @@ void visit_inputs(Scene& scene, Visitor&& visitor) {
   visitor(Q{"skew_angle",
             "α",
             "rad",
-            "angle by which a cylinder's axle is turned to the left of across the travel",
+            "angle by which the axle is turned to the left of across the travel",
             {.lowest = -1.4, .highest = 1.4}},
           scene.skew_angle);
   visitor(Q{"axial_force", "F_a", "N", "force on a cylinder along its axle, to the left, in place of skew_angle",
             any_number, "N/m"},
           scene.axial_force);
+  visitor(Q{"lateral_force", "F_y", "N", "force on a sphere across the travel, to the left, in place of skew_angle"},
+          scene.lateral_force);
+  visitor(Q{"camber_angle",
+            "γ",
+            "rad",
+            "angle by which the left end of a sphere's axle is raised",
+            {.lowest = -1.4, .highest = 1.4}},
+          scene.camber_angle);
+  visitor(Q{"pivot", "ψ", "1/m", "curvature of a sphere's path, to the left: it turns about the vertical with it"},
+          scene.pivot);
   visitor(
       Q{"kinematics", "", "", "how resultants and slip are counted; consistent: power balances; printed: the paper's"},
       scene.kinematics);
@@ -210,8 +238,14 @@ void visit_inputs(Scene& scene, Visitor&& visitor) {
 /// Keys of all inputs, in the order of the list.
 std::vector<std::string_view> input_keys();
 
-/// Whether a cylinder's axle is turned, or bears a force that turns it.
-inline bool is_skewed(const RollingScene& scene) { return scene.skew_angle.value_or(0) != 0 || scene.axial_force; }
+/// Whether the axle is turned, or bears a force that turns it.
+inline bool is_skewed(const RollingScene& scene) {
+  return scene.skew_angle.value_or(0) != 0 || scene.axial_force || scene.lateral_force;
+}
+/// Whether the motion is its own mirror image in y.
+inline bool is_straight(const RollingScene& scene) {
+  return !is_skewed(scene) && scene.camber_angle == 0 && scene.pivot == 0;
+}
 
 /// The body on which the units of the scene and of its answer depend.
 inline Body body_of(const RollingScene& scene) { return {scene.indenter, scene.width.has_value()}; }

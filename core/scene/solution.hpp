@@ -32,11 +32,15 @@ struct SurfaceGrid {
   double origin_x = 0, origin_y = 0;    // position of node (first_column = 0, first_row = 0) [m]
   int first_column = 0, first_row = 0;
   int columns = 0, rows = 0;
+  bool folded = false;  // rows begin at y = 0, and those at y > 0 stand for their mirror images, too
 
   double x(int column) const { return origin_x + spacing_x * (first_column + column); }
   double y(int row) const { return origin_y + spacing_y * (first_row + row); }
   int size() const { return columns * rows; }
   int index(int column, int row) const { return row * columns + column; }
+  /// How often the nodes of a row stand on the whole grid.
+  int images(int row) const { return folded && first_row + row > 0 ? 2 : 1; }
+  int whole_rows() const { return folded ? 2 * rows - 1 : rows; }
   double cell_area() const { return spacing_x * spacing_y; }  // [m2]; [m] per metre of length for a cylinder
 };
 
@@ -75,8 +79,9 @@ struct RollingSolution {
   double driving_torque = absent;
   double rotation_speed = absent;
   double rotation_ratio = absent;
-  double skew_angle = absent, axial_force = absent;  // of a skewed cylinder
-  double creepage_x = absent, creepage_y = absent;
+  double skew_angle = absent, axial_force = absent;  // of a skewed cylinder; the angle of a sphere, too
+  double lateral_force = absent, spin_moment = absent, overturning_moment = absent;
+  double creepage_x = absent, creepage_y = absent, spin = absent;
   double approach = absent;
   double load = absent;
   double leading_edge = absent, trailing_edge = absent, half_width = absent;
@@ -130,12 +135,18 @@ void visit_outputs(Solution& solution, Visitor&& visitor) {
   visitor(Q{"driving_torque", "T", "N.m", "torque that drives the body, clockwise", any_number, "N"}, s.driving_torque);
   visitor(Q{"rotation_speed", "Ω", "rad/s", "rotational speed of the body"}, s.rotation_speed);
   visitor(Q{"rotation_ratio", "RΩ/V", "1", "circumferential speed over speed"}, s.rotation_ratio);
-  visitor(Q{"skew_angle", "α", "rad", "angle by which a cylinder's axle is turned to the left of across the travel"},
+  visitor(Q{"skew_angle", "α", "rad", "angle by which the axle is turned to the left of across the travel"},
           s.skew_angle);
   visitor(Q{"axial_force", "F_a", "N", "force on a cylinder along its axle, to the left", any_number, "N/m"},
           s.axial_force);
-  visitor(Q{"creepage_x", "ξ", "1", "1 - (RΩ/V) cos α of a skewed cylinder"}, s.creepage_x);
-  visitor(Q{"creepage_y", "η", "1", "-(RΩ/V) sin α of a skewed cylinder"}, s.creepage_y);
+  visitor(Q{"lateral_force", "F_y", "N", "force across the travel, to the left, that a sphere needs"}, s.lateral_force);
+  visitor(Q{"spin_moment", "M_z", "N.m", "moment about the vertical through the middle of a sphere that it needs"},
+          s.spin_moment);
+  visitor(Q{"overturning_moment", "M_x", "N.m", "moment about the travel through the middle of a sphere that it needs"},
+          s.overturning_moment);
+  visitor(Q{"creepage_x", "ξ", "1", "1 - (RΩ/V) cos α cos γ"}, s.creepage_x);
+  visitor(Q{"creepage_y", "η", "1", "-(RΩ/V) sin α cos γ"}, s.creepage_y);
+  visitor(Q{"spin", "φ", "1/m", "(Ω/V) sin γ + pivot: turning about the vertical over the path of a sphere"}, s.spin);
   visitor(Q{"approach", "d", "m", "penetration of the body below the undeformed surface"}, s.approach);
   visitor(Q{"load", "P", "N", "vertical load", any_number, "N/m"}, s.load);
   visitor(Q{"leading_edge", "x+", "m", "largest x of the contact"}, s.leading_edge);

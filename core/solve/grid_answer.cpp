@@ -44,7 +44,7 @@ constexpr double most_work = 2e7;
 double room_for_nodes(const NestedOutcome& nested, int most_nodes) {
   const NewtonOutcome& outcome = nested.finest.outcome;
   const std::vector<Zone>& zone = outcome.zone;
-  const int images = nested.finest.problem->model.dimension - 1;
+  const int images = nested.finest.problem->grid.folded ? 2 : 1;
   const auto nodes =
       static_cast<double>(images * (zone.end() - zone.begin() - std::count(zone.begin(), zone.end(), Zone::free)));
   if (nodes * outcome.krylov_iterations > most_work) return 0;
@@ -95,7 +95,7 @@ void take_limits(const NestedOutcome& nested, RollingSolution& solution) {
   if (model.friction_coefficient == 0) return;
   const HalvingLimit resistance = nested.limit(&GridNumbers::resistance),
                      turning = nested.limit(&GridNumbers::rotation_ratio),
-                     axial = nested.limit(&GridNumbers::axial_force);
+                     axial = nested.limit(&GridNumbers::side_force);
   if (resistance.share == 0 && turning.share == 0 && axial.share == 0) return;
   const double tends_to = solution.rolling_resistance + resistance.to_come;
   solution.rotation_ratio += turning.to_come;

@@ -44,8 +44,8 @@ void take_over_what_was_asked(const RollingScene& scene, RollingSolution& soluti
   if (felt && scene.drive == Drive::free && std::isfinite(solution.driving_torque)) solution.driving_torque = 0;
   if (scene.drive == Drive::rotation && scene.rotation_ratio) solution.rotation_ratio = *scene.rotation_ratio;
   if (scene.skew_angle) solution.skew_angle = *scene.skew_angle;
-  if (scene.skew_angle && !is_skewed(scene) && solution.status == Status::converged) {
-    solution.axial_force = solution.creepage_y = 0;
+  if (scene.skew_angle && is_straight(scene) && solution.status == Status::converged) {
+    (dimension_of(scene.indenter) == 2 ? solution.axial_force : solution.lateral_force) = solution.creepage_y = 0;
     solution.creepage_x = 1 - solution.rotation_ratio;
   }
 }

@@ -184,21 +184,6 @@ void check_carter(Checks& checks) {
               "the default grid"});
 }
 
-/// By FFT on uniform cells, its own straight cylinder being 2e-4 off the continuous one.
-void check_skewed_paper_cylinder(Checks& checks) {
-  struct Row {
-    double degrees, resistance;
-  };
-  for (const auto& [degrees, resistance] : {Row{0.5, 370.27}, {1, 384.84}, {3, 508.9}}) {
-    RollingScene scene = without_grid(paper_scene("paper_cylinder"));
-    scene.kinematics = Kinematics::consistent;
-    scene.drive = Drive::free;
-    scene.skew_angle = degrees * M_PI / 180;
-    checks.add({"paper's cylinder, skew " + short_number(degrees) + "°: R_r", "independent program by FFT", "N/m",
-                resistance, checks.solve(scene).rolling_resistance, 2e-3, "its cells"});
-  }
-}
-
 constexpr double rollers_half_width = 1e-4;  // of Hertz [m]
 
 /// Bentall and Johnson's rollers as CONTACT has them: one rigid, the other a half-space.
@@ -349,6 +334,7 @@ std::vector<VerificationRow> verify(const Evaluate& evaluate) {
   check_contact_rollers(checks);
   check_two_spheres(checks);
   check_kalker(checks);
+  check_turned_spheres(checks);
   check_layers(checks);
   check_speed_limits(checks);
   check_inside_cylinder(checks);

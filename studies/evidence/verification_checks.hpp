@@ -38,4 +38,8 @@ inline constexpr double line_width = 1e-5, sphere_width = 1e-3;  // a [m]: so sm
 /// Rolls at 1 m/s on an elastic half-space that does not change its volume.
 RollingScene on_half_space(Indenter indenter);
 
+/// Of bodies whose axle or path is turned.
+void check_skewed_paper_cylinder(Checks& checks);
+void check_turned_spheres(Checks& checks);
+
 }  // namespace rollres::verification

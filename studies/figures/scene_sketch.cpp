@@ -197,7 +197,7 @@ class SceneSketch {
   }
 
   void draw_layers() {
-    const std::string body = dimension_of(scene_.indenter) == 3 ? "ball" : "cylinder";
+    const std::string body = scene_.indenter == Indenter::sphere ? "ball" : std::string(name_of(scene_.indenter));
     for (std::size_t i = 0; i < layers_.size(); ++i) {
       std::vector<Point> outline = interface(depths_[i]);
       std::vector<Point> below = interface(i + 1 < layers_.size() ? depths_[i + 1] : deepest_);

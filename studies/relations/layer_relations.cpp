@@ -148,6 +148,7 @@ RelatedPair weightless(Dice& dice, RollingScene scene) {
 /// slides so where the creepage is larger than the strains along the surface, of about the approach over the depth.
 RelatedPair mirrored(Dice& dice, RollingScene scene) {
   scene.skew_angle.reset();
+  scene.camber_angle = scene.pivot = 0;
   for (MaterialInputs* const layer : layer_materials(scene)) {
     if (!layer->static_shear_modulus) return {};
     layer->material = MaterialModel::elastic;

@@ -23,11 +23,13 @@ struct ComparedOutput {
   double points = 0;  ///< with continuous edges, of a peak that is looked for between the points of a solution [1]
 };
 
-constexpr std::array<ComparedOutput, 24> compared_outputs{{{"rolling_resistance", ComparedOutput::resistance},
+constexpr std::array<ComparedOutput, 26> compared_outputs{{{"rolling_resistance", ComparedOutput::resistance},
                                                            {"driving_force", ComparedOutput::force, 0, 1},
                                                            {"driving_torque", ComparedOutput::torque, 0, 1},
                                                            {"rotation_ratio", ComparedOutput::rotation, 5},
                                                            {"axial_force", ComparedOutput::force, 1},
+                                                           {"lateral_force", ComparedOutput::force, 1},
+                                                           {"spin_moment", ComparedOutput::torque, 1},
                                                            {"creepage_y", ComparedOutput::rotation, 1},
                                                            {"approach", ComparedOutput::own, 0, 1},
                                                            {"load", ComparedOutput::own, 0, 1},

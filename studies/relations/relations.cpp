@@ -88,12 +88,25 @@ void draw_sphere_method(Dice& dice, RollingScene& scene) {
   scene.tolerance = 1e-2;
 }
 
-/// Turns the axle of one in four of those cylinders that may be askew.
-void draw_skew(Dice& dice, RollingScene& scene) {
+/// Turns the axle or the path of one in four of those bodies that may be turned, and gives one ball in five a crown.
+void draw_turning(Dice& dice, RollingScene& scene) {
   const bool solved =
       scene.method == Method::automatic || scene.method == Method::newton || scene.method == Method::newton_dense;
-  if (dimension_of(scene.indenter) == 3 || !solved || scene.kinematics == Kinematics::printed) return;
-  if (dice.choice(4) == 0) scene.skew_angle = rounded(dice.signed_log_uniform(1e-4, 0.3));
+  if (!solved || scene.kinematics == Kinematics::printed) return;
+  if (dimension_of(scene.indenter) == 2) {
+    if (dice.choice(4) == 0) scene.skew_angle = rounded(dice.signed_log_uniform(1e-4, 0.3));
+    return;
+  }
+  if (dice.choice(5) == 0) {
+    scene.indenter = Indenter::roller;
+    scene.transverse_radius = rounded(scene.radius * dice.log_uniform(0.4, 5));
+    scene.crown = dice.choice(2) == 0 ? Crown::circle : Crown::ellipse;
+  }
+  if (!scene.coating_layers.empty() || dice.choice(4) != 0) return;
+  const int turning = scene.indenter == Indenter::roller ? 0 : dice.choice(4);
+  if (turning == 0 || turning == 3) scene.skew_angle = rounded(dice.signed_log_uniform(1e-4, 0.2));
+  if (turning == 1 || turning == 3) scene.camber_angle = rounded(dice.signed_log_uniform(1e-3, 0.8));
+  if (turning >= 2) scene.pivot = rounded(dice.signed_log_uniform(1e-3, 0.3) / scene.radius);
 }
 
 /// Bounds the shear of one in six scenes with friction, somewhere in the contact or nowhere.
@@ -117,7 +130,7 @@ RollingScene scene_to_relate(Dice& dice, RollingScene scene) {
     draw_sphere_method(dice, scene);
   else
     draw_cylinder_method(dice, scene);
-  draw_skew(dice, scene);
+  draw_turning(dice, scene);
   draw_traction_limit(dice, scene);
   return scene;
 }
@@ -136,7 +149,7 @@ std::span<const Relation> relations() { return all_relations; }
 RelatedScenes related_scenes(const Relation& relation, Indenter indenter, std::uint64_t seed, std::size_t number,
                              Spectra spectra) {
   RollingSolution found;  // an answer that gives the other scene something to be checked with
-  found.load = found.approach = found.axial_force = 1e-4;
+  found.load = found.approach = found.axial_force = found.lateral_force = 1e-4;
   std::uint64_t named = mixed(mixed(seed) + number);
   for (const char letter : relation.name) named = mixed(named + static_cast<unsigned char>(letter));
   constexpr std::uint64_t most_attempts = 10'000;  // a hundred are seldom needed

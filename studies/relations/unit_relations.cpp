@@ -59,9 +59,11 @@ RelatedPair given_back(Dice&, RollingScene scene) {
       RollingScene back = scene;
       // Where all slides, forces at two skews may be the same.
       constexpr double tells = 0.98;
-      if (std::abs(found.axial_force) > tells * scene.friction_coefficient * found.load) return back;
+      const bool line = dimension_of(scene.indenter) == 2;
+      const double force = line ? found.axial_force : found.lateral_force;
+      if (std::abs(force) > tells * scene.friction_coefficient * found.load) return back;
       back.skew_angle.reset();
-      back.axial_force = found.axial_force;
+      (line ? back.axial_force : back.lateral_force) = force;
       return back;
     };
     return RelatedScenes{.one = scene, .other = other, .sensitivity = 5};

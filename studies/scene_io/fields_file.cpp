@@ -6,6 +6,7 @@
 #include <type_traits>
 #include <vector>
 
+#include "core/model/indenter_shape.hpp"
 #include "core/newton/surface_window.hpp"
 #include "studies/scene_io/solution_json.hpp"
 #include "studies/text/files.hpp"
@@ -73,11 +74,11 @@ std::string field_data(const RollingScene& scene, const RollingSolution& solutio
 /// Height of the body's lower surface at each node [m]; beside the body, that of its axis.
 std::vector<double> body_surface(const RollingScene& scene, const SurfaceGrid& grid, double approach) {
   std::vector<double> heights;
-  const double radius = scene.radius;
+  const IndenterShape shape{ContactModel(scene)};
   for (int row = 0; row < grid.rows; ++row)
     for (int column = 0; column < grid.columns; ++column) {
       const double x = grid.x(column), y = dimension_of(scene.indenter) == 3 ? grid.y(row) : 0;
-      heights.push_back(radius - approach - std::sqrt(std::max(radius * radius - x * x - y * y, 0.0)));
+      heights.push_back((shape.covers(x, y) ? shape.profile(x, y) : scene.radius) - approach);
     }
   return heights;
 }

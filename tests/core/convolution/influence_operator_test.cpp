@@ -1,4 +1,4 @@
-// Covers influence_terms, padded_convolution too.
+// Covers influence_terms, padded_convolution, plane_convolution, surface_convolution too.
 
 #include "core/convolution/influence_operator.hpp"
 
@@ -28,7 +28,7 @@ Displacements dense_sums(const InfluenceTable& table, const SurfaceGrid& half, b
   using enum Direction;
   for (int row = 0; row < rows; ++row)
     for (int column = 0; column <= columns; ++column)
-      for (int r = sphere ? 1 - rows : 0; r < rows; ++r)
+      for (int r = half.folded ? 1 - rows : 0; r < rows; ++r)
         for (int c = 0; c < columns; ++c) {
           const Eigen::Index from = half.index(c, std::abs(r)), to = row * (columns + 1) + column;
           const int dx = column - c, dy = row - r;
@@ -62,6 +62,7 @@ TEST_CASE("convolution by Fourier transform equals sums over all nodes, on half 
     half.first_column = -4;
     half.columns = 11;
     half.rows = sphere ? 6 : 1;
+    half.folded = sphere;
     const InfluenceTable table = influence_table(scene, mirrored(half));
     const Vector pressure = random_vector(half.size(), generator), shear_x = random_vector(half.size(), generator);
     Vector shear_y;
@@ -86,4 +87,26 @@ TEST_CASE("convolution by Fourier transform equals sums over all nodes, on half 
           Approx(table(Direction::w, Direction::w, 0) * half.cell_area()).epsilon(1e-14));
     CHECK(with_friction.self_slip() > 0);
   }
+}
+
+TEST_CASE("of any tractions on a whole grid it equals the sums, too", "[core][influence_operator]") {
+  std::mt19937_64 generator(8);
+  const RollingScene scene = paper_sphere();
+  SurfaceGrid grid;
+  grid.spacing_x = 0.4e-3;
+  grid.spacing_y = 0.5e-3;
+  grid.first_column = -4;
+  grid.first_row = -3;
+  grid.columns = 10;
+  grid.rows = 8;
+  const InfluenceTable table = influence_table(scene, grid);
+  const Vector pressure = random_vector(grid.size(), generator), shear_x = random_vector(grid.size(), generator),
+               shear_y = random_vector(grid.size(), generator), none = Vector::Zero(grid.size());
+  const Displacements expected = dense_sums(table, grid, true, pressure, shear_x, shear_y);
+  const InfluenceOperator influence(scene, table, grid, true);
+  const Displacements got = influence.apply(pressure, shear_x, shear_y);
+  CHECK(relative(got.w, expected.w) < 1e-13);
+  CHECK(relative(got.u, expected.u) < 1e-13);
+  CHECK(relative(got.v, expected.v) < 1e-13);
+  CHECK(relative(influence.apply(pressure, {}, {}).w, dense_sums(table, grid, true, pressure, none, none).w) < 1e-13);
 }

@@ -35,6 +35,7 @@ struct Circle {
     half.first_column = -reach;
     half.columns = 2 * reach + 2;
     half.rows = reach;
+    half.folded = true;
   }
   double level(double column, double row) const {  // F in cells^2
     return radius * radius - (column - centre) * (column - centre) - row * row;

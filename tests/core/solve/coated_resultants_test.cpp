@@ -226,6 +226,7 @@ TEST_CASE("the derivative of a coating's moment is that of its differences", "[c
   grid.first_column = -6;
   grid.columns = 14;
   grid.rows = round ? 7 : 1;
+  grid.folded = round;
   const ContactLevel level = make_level(scene, grid);
   const auto at = [&](double shift) {
     ContactUnknowns x;
