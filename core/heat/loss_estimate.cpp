@@ -56,7 +56,7 @@ double last_temperature(const RollingScene& scene, double coldest) {
 }  // namespace
 
 std::vector<double> temperatures_to_scan(const RollingScene& scene) {
-  constexpr double widest = 8, change = 0.4;  // [K], of ln a_T
+  constexpr double widest = 10, change = 0.6;  // [K], of ln a_T
   double coldest = INFINITY;
   for (const Surroundings& one : surroundings(scene)) coldest = std::min(coldest, one.temperature);
   const double last = last_temperature(scene, coldest);

@@ -46,11 +46,11 @@ TemperatureProfile::Ends TemperatureProfile::ends_of(const Lost& whole, double a
   const double air = path_.air.temperature;
   const double conductance = path_.air.conductance + path_.ground.conductance;
   const double power = at_face + path_.ground.conductance * (path_.ground.temperature - air);
-  if (path_.core.conductance == 0) return {air + (power + whole.loss) / conductance, -whole.loss};
+  if (path_.core.conductance == 0) return {(power + whole.loss) / conductance, -whole.loss};
   const double resistance = path_.resistance(path_.thickness) + 1 / path_.core.conductance;
   const double rise = (path_.core.temperature - air + resistance * (whole.loss + power) - whole.moment) /
                       (1 + resistance * conductance);
-  return {air + rise, power - conductance * rise};
+  return {rise, power - conductance * rise};
 }
 
 TemperatureProfile::Lost TemperatureProfile::lost_above(double depth) const {
@@ -71,7 +71,7 @@ TemperatureProfile::Lost TemperatureProfile::lost_above(double depth) const {
 
 double TemperatureProfile::at(double depth) const {
   const Lost lost = lost_above(depth);
-  return ends_.face - path_.resistance(depth) * (ends_.inwards + lost.loss) + lost.moment;
+  return face() - path_.resistance(depth) * (ends_.inwards + lost.loss) + lost.moment;
 }
 
 double TemperatureProfile::mean_of(const Ends& ends, bool with_loss) const {
@@ -82,7 +82,8 @@ double TemperatureProfile::mean_of(const Ends& ends, bool with_loss) const {
     for (std::size_t i = 0; i < rule.nodes.size(); ++i) {
       const double depth = panel.from + (panel.to - panel.from) * rule.nodes[i];
       const double weight = (panel.to - panel.from) * rule.weights[i] * (by_loss ? panel.loss[i] : 1);
-      sum += weight * (with_loss ? at(depth) : ends.face - path_.resistance(depth) * ends.inwards);
+      sum +=
+          weight * (with_loss ? at(depth) : path_.air.temperature + ends.rise - path_.resistance(depth) * ends.inwards);
       weights += weight;
     }
   }

@@ -28,7 +28,7 @@ class TemperatureProfile {
   TemperatureProfile(const HeatPath& path, std::vector<LossPanel> panels, double at_face);
 
   double at(double depth) const;  ///< [K]
-  double face() const { return ends_.face; }
+  double face() const { return path_.air.temperature + ends_.rise; }
   double bond() const { return at(path_.thickness); }
   /// Mean over the depth by the loss; where nothing is lost inside the plain one.
   double mean() const;
@@ -40,14 +40,16 @@ class TemperatureProfile {
   Peak peak() const;
 
   /// [W/m]; their sum is the power lost
-  double to_air() const { return path_.air.conductance * (ends_.face - path_.air.temperature); }
-  double to_ground() const { return path_.ground.conductance * (ends_.face - path_.ground.temperature); }
+  double to_air() const { return path_.air.conductance * ends_.rise; }
+  double to_ground() const {
+    return path_.ground.conductance * (path_.air.temperature - path_.ground.temperature + ends_.rise);
+  }
   double to_core() const { return ends_.inwards + lost_.back().loss; }
 
  private:
-  /// T(0) and F(0).
+  /// T(0) - T_a and F(0).
   struct Ends {
-    double face, inwards;
+    double rise, inwards;
   };
   /// L and M.
   struct Lost {

@@ -173,7 +173,7 @@ void ContactModel::warm(double temperature) {
   for (ModelLayer& layer : coating.empty() ? foundation : coating) {
     if (!has_shift(layer)) continue;
     layer.temperature = temperature;
-    layer = ModelLayer(std::move(layer));
+    layer = ModelLayer(BondedLayer(layer));  // of its inputs, not a copy of its creep
   }
 }
 

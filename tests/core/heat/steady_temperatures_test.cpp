@@ -11,7 +11,8 @@ namespace {
 
 /// One peak of the loss of a Zener solid over the temperature, whose times fall by e in each 1/b kelvin.
 struct NarrowPeak {
-  double air = 253, rise_at_peak = 100, cold = 150, fall = 0.1;  // [K], [K], omega tau at the air's temperature, b [1/K]
+  double air = 253, rise_at_peak = 100, cold = 150,
+         fall = 0.1;  // [K], [K], omega tau at the air's temperature, b [1/K]
 
   double rise(double temperature) const {
     const double x = cold * std::exp(-fall * (temperature - air));
@@ -85,7 +86,7 @@ TEST_CASE("a narrow peak above a cold start has a cold and a warm state, both st
 TEST_CASE("all states of random peaks are found that a dense scan finds", "[core][heat]") {
   std::mt19937 random(3);
   std::uniform_real_distribution<double> share(0, 1);
-  int several = 0, compared = 0;
+  int several = 0, compared = 0, ones = 0, answers = 0;
   for (int trial = 0; trial < 300; ++trial) {
     const NarrowPeak peak{250 + 50 * share(random), 150 * share(random), std::exp(6 * share(random) - 1),
                           0.02 + 0.13 * share(random)};
@@ -100,10 +101,12 @@ TEST_CASE("all states of random peaks are found that a dense scan finds", "[core
     REQUIRE(counted.found.states.size() == wanted.size());
     for (std::size_t i = 0; i < wanted.size(); ++i)
       CHECK(counted.found.states[i].temperature == Approx(wanted[i]).epsilon(1e-6));
-    if (wanted.size() == 1) CHECK(counted.answers <= 10);
+    if (wanted.size() == 1) answers += counted.answers;
+    ones += wanted.size() == 1;
   }
   CHECK(several > 20);
   CHECK(compared > 250);
+  CHECK(answers < 6 * ones);
 }
 
 TEST_CASE("where more is lost than leaves up to the last temperature there is no state, and it is told",
