@@ -101,6 +101,7 @@ ContactModel::ContactModel(const RollingScene& scene)
   for (const BondedLayer& layer : scene.coating_layers) coating.emplace_back(layer);
   half_space = std::isinf(foundation.back().layer_thickness);
   if (scene.skew_angle) turn_axle(std::tan(*scene.skew_angle));
+  if (scene.heat == Heat::on && scene.ambient_temperature) warm(*scene.ambient_temperature);
   decide();
 }
 
@@ -178,10 +179,26 @@ ContactModel ContactModel::with_softening(const std::vector<SofteningFactors>& f
   return other;
 }
 
+void ContactModel::warm(double temperature) {
+  for (ModelLayer& layer : coating.empty() ? foundation : coating) {
+    if (!has_shift(layer)) continue;
+    layer.temperature = temperature;
+    layer = ModelLayer(BondedLayer(layer));  // of its inputs, not a copy of its creep
+  }
+}
+
+ContactModel ContactModel::with_temperature(double temperature) const {
+  ContactModel other = *this;
+  other.warm(temperature);
+  other.decide();
+  return other;
+}
+
 ContactModel ContactModel::with_answer(const RollingSolution& solution) const {
   std::vector<SofteningFactors> factors;
   for (const std::array<double, 2>& of_layer : solution.moduli_factors) factors.push_back({of_layer[0], of_layer[1]});
-  ContactModel softened = with_softening(factors);
+  const bool warmed = std::isfinite(solution.mean_temperature);
+  ContactModel softened = (warmed ? with_temperature(solution.mean_temperature) : *this).with_softening(factors);
   if (side_force || skew != 0) softened = softened.with_skew(std::tan(solution.skew_angle));
   if (!std::isfinite(solution.rotation_ratio)) return softened;
   return softened.with_flow(solution.rotation_ratio * (skewed() ? std::hypot(1, softened.skew) : 1));

@@ -39,7 +39,8 @@ struct ContactEstimate {
 };
 
 struct ContactModel {
-  /// The scene as it stands, with nothing left out. @pre it obeys `check`
+  /// The scene as it stands, with nothing left out; what the heat of rolling would warm is as cold as the air. @pre it
+  /// obeys `check`
   ContactModel(const RollingScene& scene);
 
   Indenter indenter;
@@ -122,7 +123,10 @@ struct ContactModel {
   /// The same with the moduli of each layer, under the body from the contact and then on it, times its factors; none
   /// for the layers beyond the list.
   ContactModel with_softening(const std::vector<SofteningFactors>& factors) const;
-  /// The same with the moduli at its strains and the flow of its coating that an answer found.
+  /// The same with the layers that heat warms at a temperature [K]: those whose materials have a law of shift. Factors
+  /// of moduli are lost.
+  ContactModel with_temperature(double temperature) const;
+  /// The same with the temperature, the moduli at its strains and the flow of its coating that an answer found.
   ContactModel with_answer(const RollingSolution& solution) const;
   /// Decides anew which method solves it: where layers were left out.
   void choose_method();
@@ -132,6 +136,8 @@ struct ContactModel {
  private:
   /// Speeds in the frame of the axle turned to a skew; nothing is decided anew.
   void turn_axle(double tangent);
+  /// Its warmed layers at a temperature; nothing is decided anew.
+  void warm(double temperature);
   void decide();
 };
 

@@ -13,6 +13,7 @@
 #include "core/material/strain_softening.hpp"
 #include "core/messages/message_text.hpp"
 #include "core/model/contact_surface.hpp"
+#include "core/model/heat_rules.hpp"
 #include "core/scene/scene_input.hpp"
 #include "core/scene/solution.hpp"
 
@@ -376,7 +377,8 @@ std::vector<std::string> check(const RollingScene& scene) {
   check_drive(scene, broken);
   check_turning(scene, broken);
   check_traction_limit(scene, broken);
-  check_model(scene, in_range, broken);
+  for (std::string& line : broken_heat_rules(scene, in_range)) broken.lines.push_back(std::move(line));
+  check_model(scene, broken.lines.empty() || (in_range && scene.heat == Heat::off), broken);
   return broken.lines;
 }
 
@@ -403,6 +405,22 @@ std::string why_absent(const RollingScene& scene, std::string_view output) {
       "bond_shears",       "bond_tensions",         "interior_loss"};
   const bool softening = softens(scene) || std::any_of(scene.lower_layers.begin(), scene.lower_layers.end(), softens) ||
                          std::any_of(scene.coating_layers.begin(), scene.coating_layers.end(), softens);
+  constexpr std::array<std::string_view, 13> of_heat{"mean_temperature",
+                                                     "peak_temperature",
+                                                     "peak_temperature_depth",
+                                                     "bond_temperature",
+                                                     "surface_temperature",
+                                                     "heat_to_air",
+                                                     "heat_to_ground",
+                                                     "heat_to_core",
+                                                     "warming_time",
+                                                     "peclet",
+                                                     "fourier",
+                                                     "biot",
+                                                     "temperatures"};
+  if (find_name(of_heat, output) >= 0 && scene.heat == Heat::off) return "heat = on computes it";
+  constexpr std::array<std::string_view, 3> of_capacity{"warming_time", "peclet", "fourier"};
+  if (find_name(of_capacity, output) >= 0 && !scene.heat_capacity) return "heat_capacity is not given";
   if (output == "softening" && !softening) return "no layer's moduli depend on the strain";
   const bool amplitude = output == "strain_amplitude" || output == "peak_strain_amplitude";
   if (scene.interior == Interior::off && !(amplitude && softening) &&

@@ -11,6 +11,11 @@ constexpr std::array<std::string_view, 8> of_models{"stiffening",       "creep_t
                                                     "relaxation_times", "relaxation_moduli", "frequencies",
                                                     "storage_moduli",   "loss_moduli"};
 
+/// Inputs that only the heat of rolling asks for.
+constexpr std::array<std::string_view, 10> of_heat{
+    "thermal_conductivity", "heat_capacity",      "turn_length", "surface_heat_transfer", "ambient_temperature",
+    "ground_effusivity",    "ground_temperature", "core",        "core_temperature",      "core_heat_transfer"};
+
 bool is_idle(const MaterialInputs& layer, std::string_view key) {
   if (find_name(of_models, key) >= 0) return find_name(needed_inputs(layer.material), key) < 0;
   if (key == "listed_moduli") return layer.material != MaterialModel::prony && !is_measured_curve(layer.material);
@@ -29,6 +34,7 @@ bool is_idle(const RollingScene& scene, std::string_view key) {
   }
   const bool sphere = dimension_of(scene.indenter) == 3, paper = scene.method == Method::active_set;
   if (key == "crown") return scene.indenter != Indenter::roller;
+  if (find_name(of_heat, key) >= 0) return scene.heat == Heat::off;
   if (key == "series_terms") return !scene.period;
   if (key == "slip_stencil" || key == "slip_threshold") return !paper;
   if (key == "resticking") return !paper || sphere;

@@ -103,6 +103,23 @@ struct ChoiceNames<Interior> {
   static constexpr std::array<std::string_view, 2> names{"off", "on"};
 };
 
+/// Whether the heat of rolling warms the layers, and the temperatures of its steady state are part of the answer.
+enum class Heat { off, on };
+template <>
+struct ChoiceNames<Heat> {
+  static constexpr std::array<std::string_view, 2> names{"off", "on"};
+};
+
+/// What the core of the warmed layers, or the other face of a belt, does with heat.
+enum class CoreHeat {
+  automatic,  ///< takes it as core_temperature and core_heat_transfer say, and without them none
+  insulated   ///< takes none
+};
+template <>
+struct ChoiceNames<CoreHeat> {
+  static constexpr std::array<std::string_view, 2> names{"automatic", "insulated"};
+};
+
 struct RollingScene : MaterialInputs {
   Indenter indenter = Indenter::cylinder;
   double radius = 0;                        // R [m]
@@ -133,6 +150,17 @@ struct RollingScene : MaterialInputs {
   std::optional<double> tolerance;  // [1]; neither: 1e-8 (spectral) or the program's own grid
   Method method = Method::automatic;
   Interior interior = Interior::off;
+  Heat heat = Heat::off;
+  std::optional<double> thermal_conductivity;   // k of all warmed layers [W/m/K]
+  std::optional<double> heat_capacity;          // of their volume [J/m3/K]
+  std::optional<double> turn_length;            // of a belt: after which it comes round again [m]
+  std::optional<double> surface_heat_transfer;  // h of the face to the air [W/m2/K]
+  std::optional<double> ambient_temperature;    // of the air [K]
+  double ground_effusivity = 0;                 // of what the face touches [W s^(1/2)/m2/K]; 0: takes no heat
+  std::optional<double> ground_temperature;     // [K]; absent: the air's
+  CoreHeat core = CoreHeat::automatic;
+  std::optional<double> core_temperature;           // [K]
+  std::optional<double> core_heat_transfer;         // to that, or to the air's [W/m2/K]
   std::optional<double> time_limit;                 // of processor time [s]; absent: 60 s
   std::optional<double> memory_limit;               // [byte]; absent: a quarter of the machine's, 4 GB at most
   std::optional<double> period;                     // L [m]; absent: a single passage
@@ -215,6 +243,33 @@ void visit_inputs(Scene& scene, Visitor&& visitor) {
           scene.method);
   visitor(Q{"interior", "", "", "whether the outputs from inside the layers are computed: strains, bonds, losses"},
           scene.interior);
+  visitor(Q{"heat", "", "",
+            "whether the heat of rolling warms the layers: those on the body, or without any those under it"},
+          scene.heat);
+  visitor(Q{"thermal_conductivity", "k", "W/m/K", "of all layers that heat warms", positive},
+          scene.thermal_conductivity);
+  visitor(Q{"heat_capacity", "c", "J/m3/K", "of a volume of these layers", positive}, scene.heat_capacity);
+  visitor(Q{"turn_length", "", "m",
+            "length after which the layers under a body without coating meet it again, as a belt's", positive},
+          scene.turn_length);
+  visitor(Q{"surface_heat_transfer", "h", "W/m2/K", "heat transfer from their face to the air", not_negative},
+          scene.surface_heat_transfer);
+  visitor(Q{"ambient_temperature", "T_a", "K", "temperature of the air", positive}, scene.ambient_temperature);
+  visitor(Q{"ground_effusivity", "e", "W.s0.5/m2/K",
+            "sqrt(k c) of what their face touches and cannot warm; 0: it takes no heat", not_negative},
+          scene.ground_effusivity);
+  visitor(Q{"ground_temperature", "", "K", "temperature of what their face touches; absent: the air's", positive},
+          scene.ground_temperature);
+  visitor(Q{"core", "", "",
+            "whether heat leaves through the core, or a belt's other face; automatic: where core_temperature or "
+            "core_heat_transfer is given"},
+          scene.core);
+  visitor(
+      Q{"core_temperature", "", "K", "temperature of the core; with core_heat_transfer, of what cools it", positive},
+      scene.core_temperature);
+  visitor(Q{"core_heat_transfer", "", "W/m2/K", "heat transfer from the core to core_temperature, or to the air",
+            not_negative},
+          scene.core_heat_transfer);
   visitor(Q{"time_limit", "", "s",
             "of processor time, after which a solution ends with its best answer or a reason; absent: 60 s", positive},
           scene.time_limit);

@@ -18,7 +18,8 @@ namespace rollres {
 enum class Status {
   converged,        ///< every law of contact holds at every node within the solver's tolerance
   no_steady_state,  ///< the drive asks for more traction than friction can give, or friction makes the body dig itself
-                    ///< in, or it is faster than the waves of layers whose inertia counts; `reason` says which
+                    ///< in, or it is faster than the waves of layers whose inertia counts, or more heat is made at any
+                    ///< temperature than leaves; `reason` says which
   not_converged     ///< no answer; `reason` says in which state the solver stopped
 };
 template <>
@@ -105,6 +106,12 @@ struct RollingSolution {
   std::vector<double> bond_shears, bond_tensions;  // of each layer, under the body from the contact, then on it [Pa]
   double interior_loss = absent;
   double softening = absent;
+  double mean_temperature = absent;
+  double peak_temperature = absent, peak_temperature_depth = absent;
+  double bond_temperature = absent, surface_temperature = absent;
+  double heat_to_air = absent, heat_to_ground = absent, heat_to_core = absent;
+  double warming_time = absent, peclet = absent, fourier = absent, biot = absent;
+  std::vector<double> temperatures;  // of all steady states, ascending [K]
   double spacing = absent;
   int iterations = 0;
   double seconds = absent;
@@ -205,6 +212,31 @@ void visit_outputs(Solution& solution, Visitor&& visitor) {
             "G' at the strain amplitude and the contact's frequency V/a over that at small "
             "strains, of the layer that softens most"},
           s.softening);
+  visitor(Q{"mean_temperature", "T_m", "K",
+            "temperature of the layers that heat warms, mean by what each depth loses: the one of their materials"},
+          s.mean_temperature);
+  visitor(Q{"peak_temperature", "T_max", "K", "highest temperature in them"}, s.peak_temperature);
+  visitor(Q{"peak_temperature_depth", "", "m", "where it is below the face in contact"}, s.peak_temperature_depth);
+  visitor(Q{"bond_temperature", "T_b", "K", "temperature of their bond to the core, or of a belt's other face"},
+          s.bond_temperature);
+  visitor(Q{"surface_temperature", "T_s", "K", "temperature of their face in contact, in the mean of a turn"},
+          s.surface_temperature);
+  visitor(Q{"heat_to_air", "", "W", "heat that their face gives to the air", any_number, "W/m"}, s.heat_to_air);
+  visitor(Q{"heat_to_ground", "", "W",
+            "heat that it gives to what it touches, with what layers under a covered body lose themselves", any_number,
+            "W/m"},
+          s.heat_to_ground);
+  visitor(Q{"heat_to_core", "", "W", "heat that leaves through the core; all three are R_r V", any_number, "W/m"},
+          s.heat_to_core);
+  visitor(Q{"warming_time", "H²/κ", "s", "thickness squared over the diffusivity: the time that warming takes"},
+          s.warming_time);
+  visitor(Q{"peclet", "Pe", "1", "V H²/(κ R): large where temperatures are even around a turn"}, s.peclet);
+  visitor(Q{"fourier", "Fo", "1", "κ t/H² of the time of a turn: small where they are"}, s.fourier);
+  visitor(Q{"biot", "Bi", "1", "heat transfer of the face, with the contact's, times H/k"}, s.biot);
+  visitor(Q{"temperatures", "", "K",
+            "mean temperatures of all steady states, ascending: stable, unstable and stable in turn; warming reaches "
+            "the first"},
+          s.temperatures);
   visitor(Q{"spacing", "a", "m", "distance between nodes"}, s.spacing);
   visitor(Q{"iterations", "", "1", "iterations of the solver on its last grid"}, s.iterations);
   visitor(Q{"seconds", "", "s", "wall time of the solution"}, s.seconds);

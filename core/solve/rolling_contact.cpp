@@ -11,6 +11,7 @@
 #include "core/messages/message_text.hpp"
 #include "core/model/scene_rules.hpp"
 #include "core/numerics/solution_limits.hpp"
+#include "core/solve/heat_balance.hpp"
 #include "core/solve/model_answer.hpp"
 #include "core/solve/strain_iteration.hpp"
 
@@ -67,8 +68,14 @@ RollingSolution answer_or_reason(Method method, Solved solved) {
   return none;
 }
 
+RollingSolution isothermal_answer(const ContactModel& model) {
+  return softens(model) ? solve_softening(model, solve_model) : solve_model(model);
+}
+
 RollingSolution answer(const RollingScene& scene, const ContactModel& model) {
-  RollingSolution solution = softens(model) ? solve_softening(model, solve_model) : solve_model(model);
+  RollingSolution solution = scene.heat == Heat::on
+                                 ? solve_with_heat(scene, [](const RollingScene& at) { return isothermal_answer(at); })
+                                 : isothermal_answer(model);
   if (scene.interior == Interior::on && solution.status == Status::converged) add_interior(model, solution);
   return solution;
 }

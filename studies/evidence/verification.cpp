@@ -5,6 +5,7 @@
 #include "core/reference/reference_rollers.hpp"
 #include "core/reference/reference_solutions.hpp"
 #include "studies/evidence/verification_checks.hpp"
+#include "studies/evidence/verification_heat.hpp"
 #include "studies/evidence/verification_inside.hpp"
 #include "studies/text/readable_number.hpp"
 
@@ -339,6 +340,7 @@ std::vector<VerificationRow> verify(const Evaluate& evaluate) {
   check_speed_limits(checks);
   check_inside_cylinder(checks);
   check_inside_sphere(checks);
+  check_heat(checks);
   return std::move(checks).rows();
 }
 

@@ -8,7 +8,7 @@
 #include "tests/plain_scene.hpp"
 #include "tests/studies/program.hpp"
 
-// Covers command_verify, verification_checks and verification_inside, too.
+// Covers command_verify, verification_checks, verification_inside and verification_heat, too.
 
 using namespace rollres;
 using Catch::Matchers::Contains;
@@ -57,9 +57,9 @@ TEST_CASE("rollres verify ends with status 1 where a solver is wrong or has no a
   const ProgramRun none = run_rollres({"verify", "--json"}, silent);
   CHECK(none.status == 1);
   const Json object = parse_object(none.out, "output");
-  constexpr int given_tractions = 4;  // stresses under bells, which need no solver
-  CHECK(object["passed"] == given_tractions);
-  CHECK(object["failed"] == object["rows"].size() - given_tractions);
+  constexpr int given = 8;  // stresses under bells and temperatures of given losses, which need no solver
+  CHECK(object["passed"] == given);
+  CHECK(object["failed"] == object["rows"].size() - given);
   CHECK(object["rows"][0]["got"].is_null());
   CHECK_THAT(object["rows"][0]["reason"].get<std::string>(), Contains("no solver today"));
 }
