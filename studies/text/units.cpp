@@ -172,7 +172,11 @@ std::string unit_in_words(std::string_view unit) {
                                                                      {"rad", "angle"},
                                                                      {"K", "temperature"},
                                                                      {"Hz", "frequency"},
-                                                                     {"J/mol", "molar energy"}};
+                                                                     {"J/mol", "molar energy"},
+                                                                     {"W/m/K", "thermal conductivity"},
+                                                                     {"J/m3/K", "heat capacity per volume"},
+                                                                     {"W/m2/K", "heat transfer"},
+                                                                     {"W.s0.5/m2/K", "thermal effusivity"}};
   if (const auto known = measures.find(unit); known != measures.end())
     return "a unit of " + std::string(known->second) + " (" + std::string(unit) + ")";
   return "a unit that converts to " + std::string(unit);
