@@ -28,6 +28,16 @@ using Unit = std::unique_ptr<ut_unit, Freed<ut_free>>;
 using Converter = std::unique_ptr<cv_converter, Freed<cv_free>>;
 using System = std::unique_ptr<ut_system, Freed<ut_free_system>>;
 
+/// The library has whole powers alone, and reads "s0.5" as 5: the root of a second, in an effusivity, is a unit of its
+/// own to it.
+constexpr const char* root_second = "root_second";
+std::string with_root(std::string text) {
+  for (const std::string_view written : {"s^0.5", "s0.5"})
+    for (std::size_t at = text.find(written); at != std::string::npos; at = text.find(written))
+      text.replace(at, written.size(), root_second);
+  return text;
+}
+
 std::mutex udunits;  // the library keeps global state: one thread at a time
 
 /// Call with `udunits` held.
@@ -52,6 +62,9 @@ ut_system* unit_system() {
       ut_map_symbol_to_unit(name.data(), UT_ASCII, unit.get());
       if (name == "EUR") ut_map_symbol_to_unit("€", UT_UTF8, unit.get());
     }
+    const Unit root(ut_new_base_unit(read.get()));
+    ut_map_unit_to_symbol(root.get(), root_second, UT_ASCII);
+    ut_map_symbol_to_unit(root_second, UT_ASCII, root.get());
     return read;
   }();
   return system.get();
@@ -103,7 +116,8 @@ Converter converter(const std::string& from, const std::string& to) {
   if (from.size() > longest) return nullptr;
   const std::scoped_lock lock(udunits);
   ut_system* const system = unit_system();
-  const Unit source(ut_parse(system, from.c_str(), UT_UTF8)), target(ut_parse(system, to.c_str(), UT_UTF8));
+  const Unit source(ut_parse(system, with_root(from).c_str(), UT_UTF8));
+  const Unit target(ut_parse(system, with_root(to).c_str(), UT_UTF8));
   if (!source || !target) return nullptr;
   return Converter(ut_get_converter(source.get(), target.get()));
 }
@@ -172,7 +186,11 @@ std::string unit_in_words(std::string_view unit) {
                                                                      {"rad", "angle"},
                                                                      {"K", "temperature"},
                                                                      {"Hz", "frequency"},
-                                                                     {"J/mol", "molar energy"}};
+                                                                     {"J/mol", "molar energy"},
+                                                                     {"W/m/K", "thermal conductivity"},
+                                                                     {"J/m3/K", "heat capacity per volume"},
+                                                                     {"W/m2/K", "heat transfer"},
+                                                                     {"W.s0.5/m2/K", "thermal effusivity"}};
   if (const auto known = measures.find(unit); known != measures.end())
     return "a unit of " + std::string(known->second) + " (" + std::string(unit) + ")";
   return "a unit that converts to " + std::string(unit);
@@ -207,7 +225,8 @@ UnitInSi unit_in_si(const std::string& unit) {
   std::array<char, 200> definition{};
   {
     const std::scoped_lock lock(udunits);
-    const Unit parsed(unit.size() > longest || unit.empty() ? nullptr : ut_parse(unit_system(), unit.c_str(), UT_UTF8));
+    const Unit parsed(
+        unit.size() > longest || unit.empty() ? nullptr : ut_parse(unit_system(), with_root(unit).c_str(), UT_UTF8));
     if (!parsed || ut_format(parsed.get(), definition.data(), definition.size() - 1, UT_ASCII | UT_DEFINITION) <= 0)
       throw std::invalid_argument(rule);
   }
@@ -224,6 +243,10 @@ UnitInSi unit_in_si(const std::string& unit) {
     rest.remove_prefix(std::min(part.size() + 1, rest.size()));
     const std::string_view name = part.substr(0, part.find_first_of("-0123456789"));
     const double power = name.size() == part.size() ? 1 : plain_number(part.substr(name.size())).value_or(0);
+    if (name == root_second) {
+      found.exponents[2] += 0.5 * power;  // of seconds
+      continue;
+    }
     const auto base = std::find(bases.begin(), bases.end(), name);
     if (power == 0 || (base == bases.end() && name != "rad")) throw std::invalid_argument(rule);
     if (base != bases.end()) found.exponents[static_cast<std::size_t>(base - bases.begin())] += power;

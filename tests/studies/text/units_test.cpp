@@ -56,6 +56,13 @@ TEST_CASE("numbers with units become the SI numbers one would write by hand", "[
   }
 }
 
+TEST_CASE("the root of a second in an effusivity is no number, and W/m2/K is no effusivity", "[studies][units]") {
+  const std::string unit = "W.s0.5/m2/K";
+  CHECK(si_value("600 W.s^0.5/m2/K", unit) == 600);
+  CHECK(si_value("0.6 kW s0.5/m2/K", unit) == 600);
+  CHECK_THROWS_WITH(si_value("600 W/m2/K", unit), Catch::Matchers::Contains("thermal effusivity"));
+}
+
 TEST_CASE("every unit of an input is read back as itself, with and without a prefix", "[studies][units]") {
   for (const InputKind& kind : input_kinds())
     for (const Indenter indenter : {Indenter::cylinder, Indenter::sphere}) {
