@@ -63,27 +63,34 @@ void require_nodes(double columns, double rows, double spacing) {
                  message_text("the contact needs ", columns * rows, " nodes of ", spacing, " m"));
 }
 
-SurfaceGrid window(int dimension, double spacing, double half_width, double elongation) {
-  const double wanted = std::max(2.0, std::ceil(half_width / spacing));
-  require_nodes(2 * wanted + 1, dimension == 3 ? wanted + 1 : 1, spacing);
-  const int cells = checked_count(wanted, "cells of a window");
+namespace {
+
+/// @param half_width_y and spacing_y of a grid in 3D
+SurfaceGrid window_of(int dimension, double spacing, double half_width, double spacing_y, double half_width_y) {
+  const auto wanted = [](double reach, double cell) { return std::max(2.0, std::ceil(reach / cell)); };
+  const double columns = 2 * wanted(half_width, spacing) + 1,
+               rows = dimension == 3 ? wanted(half_width_y, spacing_y) + 1 : 1;
+  require_nodes(columns, rows, spacing);
   SurfaceGrid grid;
   grid.spacing_x = spacing;
-  grid.first_column = -cells;
-  grid.columns = 2 * cells + 1;
-  if (dimension == 3) {
-    grid.spacing_y = spacing * elongation;
-    grid.rows = cells + 1;
-    grid.folded = true;
-  } else {
-    grid.spacing_y = 1;
-    grid.rows = 1;
-  }
+  grid.columns = checked_count(columns, "cells of a window");
+  grid.first_column = -grid.columns / 2;
+  grid.rows = checked_count(rows, "cells of a window");
+  grid.spacing_y = dimension == 3 ? spacing_y : 1;
+  grid.folded = dimension == 3;
   return grid;
 }
 
-SurfaceGrid window(const ContactModel& model, double spacing, double half_width) {
-  SurfaceGrid grid = window(model.dimension, spacing, half_width, estimate_contact(model).elongation);
+}  // namespace
+
+SurfaceGrid window(int dimension, double spacing, double half_width) {
+  return window_of(dimension, spacing, half_width, spacing, half_width);
+}
+
+SurfaceGrid window(const ContactModel& model, double spacing, double half_width, Cells cells) {
+  const double elongation = estimate_contact(model).elongation;
+  SurfaceGrid grid = window_of(model.dimension, spacing, half_width,
+                               spacing * (cells == Cells::as_contact ? elongation : 1), half_width * elongation);
   if (model.mirrored()) return grid;
   grid.first_row = 1 - grid.rows;
   grid.rows = grid.whole_rows();

@@ -24,11 +24,14 @@ double default_spacing(const ContactModel& model);
 /// @throws BeyondLimits if a half grid of so many nodes takes more memory than the solution may (solution_limits.hpp)
 void require_nodes(double columns, double rows, double spacing);
 
-/// Folded grid in 3D, one row in 2D, with a node at the origin that covers |x|, |y| <= half_width; along y cells and
-/// half-width are `elongation` times as long.
-SurfaceGrid window(int dimension, double spacing, double half_width, double elongation = 1);
-/// The same for the estimated contact of a model, whole where the model is not mirrored.
-SurfaceGrid window(const ContactModel& model, double spacing, double half_width);
+/// Folded grid in 3D, one row in 2D, with a node at the origin that covers |x|, |y| <= half_width.
+SurfaceGrid window(int dimension, double spacing, double half_width);
+
+/// Cells of a grid in 3D: squares, or as long across the motion as the estimated contact of a roller is.
+enum class Cells { square, as_contact };
+/// Grid over the estimated contact of a model, with a half-width along the motion: whole where the model is not
+/// mirrored.
+SurfaceGrid window(const ContactModel& model, double spacing, double half_width, Cells cells);
 
 /// Largest half-width a window may have: beyond it a body of this radius has no lower surface.
 inline double widest_window(const ContactModel& model) { return 0.98 * model.radius; }

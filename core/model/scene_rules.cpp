@@ -190,7 +190,8 @@ void check_alternatives(const RollingScene& scene, BrokenRules& broken) {
   if (scene.load && scene.approach) broken.add("approach", *scene.approach, "give load or approach, not both");
   if (!scene.load && !scene.approach) broken.add_missing("load", "give load or approach");
   if (scene.width && dimension_of(scene.indenter) == 3)
-    broken.add("width", *scene.width, "only for a cylinder: loads and forces of other bodies are those of the whole");
+    broken.add("width", *scene.width,
+               "only for a cylinder: loads and forces of other bodies are those of the whole body");
   if (scene.spacing && scene.tolerance)
     broken.add("tolerance", *scene.tolerance, "give spacing or tolerance, not both");
 }

@@ -91,17 +91,18 @@ SurfaceGrid follow(const ContactLevel& level, const SurfaceGrid& like, double ma
         half_width = std::max(half_width, std::abs(grid.y(row)));
       }
   if (leading < trailing) return like;  // no contact: around nothing
-  const double widest = widest_window(level.problem->model);
+  const ContactModel& model = level.problem->model;
+  const double widest = widest_window(model);
   SurfaceGrid next = like;
   // Columns beyond the origin, and rows, that reach as far as a distance from under the axis.
-  const auto cells = [&](double distance, double origin, double spacing, double widest) {
-    return checked_count(std::ceil((std::clamp(distance, -widest, widest) - origin) / spacing - 1e-9),
+  const auto cells = [&](double distance, double origin, double spacing, double farthest) {
+    return checked_count(std::ceil((std::clamp(distance, -farthest, farthest) - origin) / spacing - 1e-9),
                          "cells of a window");
   };
   next.first_column = -cells(margin - trailing, -like.origin_x, like.spacing_x, widest);
   next.columns = cells(leading + margin, like.origin_x, like.spacing_x, widest) - next.first_column + 1;
   if (level.problem->plane) {
-    const int aside = cells(half_width + margin, 0, like.spacing_y, widest_across(level.problem->model));
+    const int aside = cells(half_width + margin, 0, like.spacing_y, widest_across(model));
     next.first_row = like.folded ? 0 : -aside;
     next.rows = aside - next.first_row + 1;
   }

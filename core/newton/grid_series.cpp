@@ -57,12 +57,13 @@ PressureEllipse pressure_ellipse(const ContactLevel& level) {
 
 GridSeries fixed_grids(const ContactModel& model, double spacing) {
   const double half_width = expected_half_width(model), widest = widest_window(model);
-  window(model, spacing, std::min(1.3 * half_width + 3 * spacing, widest));  // refused before all coarser ones
+  window(model, spacing, std::min(1.3 * half_width + 3 * spacing, widest),
+         Cells::square);  // refused before all coarser ones
   GridSeries series;
-  series.coarsest = coarsenings(half_width / spacing);
+  series.coarsest = coarsenings(std::min(1.0, estimate_contact(model).elongation) * half_width / spacing);
   series.first = [=](int coarsening) {
     const double own = std::ldexp(spacing, coarsening);
-    return window(model, own, std::min(1.3 * half_width + 3 * own, widest));
+    return window(model, own, std::min(1.3 * half_width + 3 * own, widest), Cells::square);
   };
   series.around = [spacing](const ContactLevel& level, int coarsening) {
     SurfaceGrid grid = level.problem->grid;
@@ -80,7 +81,7 @@ GridSeries tied_grids(const ContactModel& model, double cells_on_half_width) {
   series.coarsest = coarsenings(cells_on_half_width);
   series.first = [=](int coarsening) {
     const double own = half_width / std::ldexp(cells_on_half_width, -coarsening);
-    return window(model, own, std::min(1.3 * half_width + 3 * own, widest));
+    return window(model, own, std::min(1.3 * half_width + 3 * own, widest), Cells::as_contact);
   };
   series.around = [cells_on_half_width](const ContactLevel& level, int coarsening) {
     SurfaceGrid grid = level.problem->grid;
@@ -103,7 +104,7 @@ GridSeries tied_lines(const ContactModel& model, double cells_on_half_width) {
   series.coarsest = coarsenings(cells_on_half_width);
   series.first = [=](int coarsening) {
     const double own = half_width / std::ldexp(cells_on_half_width, -coarsening);
-    return window(model, own, std::min(1.3 * half_width + 3 * own, widest));
+    return window(model, own, std::min(1.3 * half_width + 3 * own, widest), Cells::as_contact);
   };
   series.around = [cells_on_half_width](const ContactLevel& level, int coarsening) {
     SurfaceGrid grid = level.problem->grid;

@@ -53,6 +53,7 @@ void check_kalker_sideways(Checks& checks) {
   constexpr double small = 1e-4;
   RollingScene scene = on_half_space(Indenter::sphere);
   scene.friction_coefficient = 1;
+  scene.kinematics = Kinematics::consistent;
   scene.drive = Drive::rotation;
   scene.rotation_ratio = 1;
   scene.spacing = sphere_width / 34;

@@ -174,6 +174,16 @@ RelatedPair mirrored(Dice& dice, RollingScene scene) {
                        .left_out = {"rolling_resistance", "rotation_ratio", "viscous_loss", "frictional_loss"}};
 }
 
+RelatedPair turned_back(Dice&, RollingScene scene) {
+  if (is_straight(scene)) return {};
+  RollingScene other = scene;
+  for (std::optional<double>* const turning : {&other.skew_angle, &other.axial_force, &other.lateral_force})
+    if (*turning) **turning *= -1;
+  other.camber_angle *= -1;
+  other.pivot *= -1;
+  return RelatedScenes{.one = scene, .other = known_scene(other), .exact = 1e-7, .strict = true, .turned_back = true};
+}
+
 RelatedPair long_period(Dice&, RollingScene scene) {
   if (!on_grid(scene.method) || !scene.spacing || !has_rigid_base(scene)) return {};
   scene.inertia = Inertia::off;

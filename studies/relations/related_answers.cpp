@@ -92,6 +92,12 @@ double scale_of(const ComparedOutput& output, const RollingScene& scene, const R
   }
 }
 
+/// An output of the mirror image across the motion.
+double value_turned_back(const RollingSolution& solution, std::string_view key) {
+  constexpr std::array<std::string_view, 4> odd{"axial_force", "lateral_force", "spin_moment", "creepage_y"};
+  return (std::find(odd.begin(), odd.end(), key) != odd.end() ? -1 : 1) * output_number(solution, key);
+}
+
 /// A mirror image changes the sign of what points along x, and its edges change places.
 double mirrored_value(const RollingSolution& solution, std::string_view key) {
   if (key == "leading_edge") return -solution.trailing_edge;
@@ -178,9 +184,10 @@ void compare_output(const Compared& compared, const ComparedOutput& output, Rela
   const RelatedScenes& scenes = compared.scenes;
   const double factor = compared.factor_of(output.key);
   const double one = output_number(compared.one, output.key);
-  const double other =
-      (scenes.mirrored ? mirrored_value(compared.other, output.key) : output_number(compared.other, output.key)) /
-      factor;
+  const double other = (scenes.mirrored      ? mirrored_value(compared.other, output.key)
+                        : scenes.turned_back ? value_turned_back(compared.other, output.key)
+                                             : output_number(compared.other, output.key)) /
+                       factor;
   if (std::isnan(one) && std::isnan(other)) return;
   if (doubted(compared.one, output.key) || doubted(compared.other, output.key)) return;
   const double scale = scale_of(output, scenes.one, compared.one, one);

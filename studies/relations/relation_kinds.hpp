@@ -30,6 +30,7 @@ RelatedPair cut_in_five(Dice& dice, RollingScene scene);
 RelatedPair exchanged(Dice& dice, RollingScene scene);
 RelatedPair weightless(Dice& dice, RollingScene scene);
 RelatedPair mirrored(Dice& dice, RollingScene scene);
+RelatedPair turned_back(Dice& dice, RollingScene scene);
 RelatedPair long_period(Dice& dice, RollingScene scene);
 RelatedPair deep_layer(Dice& dice, RollingScene scene);
 

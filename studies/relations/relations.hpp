@@ -49,6 +49,7 @@ struct RelatedScenes {
   double sensitivity = 1;    ///< of what is found to what is given, where the other scene is given what the first found
   bool strict = false;       ///< the same equations in the same steps: no allowance for discretisation, one status
   bool mirrored = false;     ///< the other answer is the first one's mirror image along x
+  bool turned_back = false;  ///< it is the mirror image across the motion
   std::vector<std::string_view> left_out = {};  ///< outputs of which the relation says nothing
 };
 

@@ -142,8 +142,9 @@ NumberWithUnit number_with_unit(std::string_view text, std::string_view unit, co
   if (std::isnan(leading.number)) throw std::invalid_argument("must be a finite number, or one with a unit");
   if (leading.rest.size() > 1 && leading.rest[0] == ',' && leading.rest[1] >= '0' && leading.rest[1] <= '9')
     throw std::invalid_argument("must have a decimal point, not a comma");
-  // A second number ("5 10 mm") or a sum ("5 +3 mm") would be read by the library as part of the unit.
-  if (leading.rest.empty() || std::string_view("+-.0123456789").find(leading.rest.front()) != std::string_view::npos)
+  // A second number ("5 10 mm") or a sum ("5 +3 mm") would be read by the library as part of the unit; "1/m" is one.
+  if (leading.rest.empty() || (!leading.rest.starts_with("1/") &&
+                               std::string_view("+-.0123456789").find(leading.rest.front()) != std::string_view::npos))
     throw std::invalid_argument(rule);
   Converter to_si = converter(std::string(leading.rest), std::string(unit));
   if (!to_si) throw std::invalid_argument(rule);
@@ -187,6 +188,7 @@ std::string unit_in_words(std::string_view unit) {
                                                                      {"K", "temperature"},
                                                                      {"Hz", "frequency"},
                                                                      {"J/mol", "molar energy"},
+                                                                     {"1/m", "curvature"},
                                                                      {"W/m/K", "thermal conductivity"},
                                                                      {"J/m3/K", "heat capacity per volume"},
                                                                      {"W/m2/K", "heat transfer"},

@@ -192,6 +192,12 @@ void strain_finitely(RollingScene& scene) {
   scene.interior = Interior::off;
   scene.period.reset();
   scene.adhesion_threshold = 0;
+  scene.heat = Heat::off;
+  scene.transverse_radius.reset();
+  scene.lateral_force.reset();
+  scene.axial_force.reset();
+  scene.skew_angle.reset();
+  scene.camber_angle = scene.pivot = 0;
   if (!scene.coating_layers.empty() && scene.static_shear_modulus) scene.static_shear_modulus = 1e17;
 }
 

@@ -45,7 +45,7 @@ TEST_CASE("the answer has the correction of its edge, and forces and torque that
           "[core][edge_correction]") {
   const RollingScene scene = consistent_sphere();
   const RollingSolution coarse = solve(scene);
-  CHECK(coarse.rolling_resistance == Approx(3.08257).epsilon(1e-4));
+  CHECK(coarse.rolling_resistance == Approx(3.08209).epsilon(1e-4));
   CHECK(coarse.driving_force + coarse.driving_torque / scene.radius * coarse.rotation_ratio ==
         Approx(coarse.rolling_resistance).epsilon(1e-9));
 }

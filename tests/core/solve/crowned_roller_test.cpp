@@ -79,19 +79,21 @@ TEST_CASE("the middle of a long crown presses as a cylinder", "[core][roller]") 
   line.transverse_radius.reset();
   line.load.reset();
   line.approach = 0.3e-3;
+  line.friction_coefficient = 0;  // with it the whole roller decides how fast it turns
   const RollingSolution wanted = answer_of_roller(line);
   double before = INFINITY;
-  for (const double transverse : {0.2, 2.0, 20.0}) {
+  for (const double transverse : {0.2, 2.0, 20.0, 200.0}) {
     RollingScene scene = crowned(transverse);
     scene.load.reset();
     scene.approach = line.approach;
+    scene.friction_coefficient = 0;
     const RollingSolution found = answer_of_roller(scene);
     const double apart = std::abs(found.peak_pressure / wanted.peak_pressure - 1);
     INFO(transverse);
     CHECK(apart < before);
     before = apart;
   }
-  CHECK(before < 5e-3);
+  CHECK(before < 1e-3);
 }
 
 TEST_CASE("a skewed crowned roller balances its power and is its own mirror image", "[core][roller]") {

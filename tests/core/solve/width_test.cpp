@@ -105,7 +105,8 @@ TEST_CASE("a width is one of a cylinder alone", "[core][width]") {
   sphere.width = 0.1;
   const std::vector<std::string> broken = check(sphere);
   REQUIRE(broken.size() == 1);
-  CHECK(broken.front() == "width = 0.1: only for a cylinder: loads and forces of a sphere are those of the whole body");
+  CHECK(broken.front() ==
+        "width = 0.1: only for a cylinder: loads and forces of other bodies are those of the whole body");
   RollingScene cylinder = paper_cylinder();
   cylinder.width = 0;
   CHECK(check(cylinder) == std::vector<std::string>{"width = 0: must be > 0"});
