@@ -18,7 +18,7 @@
 #include "core/solve/coating_flow.hpp"
 #include "core/solve/doubts.hpp"
 #include "core/solve/grid_answer.hpp"
-#include "core/solve/skewed_cylinder.hpp"
+#include "core/solve/turned_axle.hpp"
 #include "core/solve/torque_limit.hpp"
 #include "core/zones/spectral_contact.hpp"
 

@@ -1,4 +1,4 @@
-#include "core/solve/skewed_cylinder.hpp"
+#include "core/solve/turned_axle.hpp"
 
 #include <algorithm>
 #include <cmath>
