@@ -15,9 +15,11 @@ namespace rollres {
 namespace {
 
 constexpr std::string_view rigid = "rigid body and base", no_inertia = "no inertia", recovered_ring = "recovered ring",
-                           linear_materials = "linear materials", no_heat = "no heat", plane_strain = "plane strain";
-constexpr std::array<std::string_view, 8> names{small_strains,    rigid,   no_inertia,  flat_coating, recovered_ring,
-                                                linear_materials, no_heat, plane_strain};
+                           straight_passage = "straight passage", linear_materials = "linear materials",
+                           no_heat = "no heat", plane_strain = "plane strain";
+constexpr std::array<std::string_view, 9> names{small_strains,    rigid,          no_inertia,
+                                                flat_coating,     recovered_ring, straight_passage,
+                                                linear_materials, no_heat,        plane_strain};
 
 /// Steel: G [Pa], nu.
 constexpr double steel_modulus = 81e9, steel_poisson = 0.3;
@@ -47,6 +49,7 @@ class Assumptions {
     if (!model_.inertia) inertia();
     if (!model_.coating.empty() && !model_.ring()) coating();
     if (model_.ring()) turns();
+    if (model_.pivot != 0) passage();
     inputs();
     return std::move(all_);
   }
@@ -133,6 +136,14 @@ class Assumptions {
     const double left = left_after_turn(model_);
     if (left <= recovered(model_))
       all_.push_back({recovered_ring, message_text<2>("after a turn ", left, " is left"), 0.0, left});
+  }
+
+  /// What the paths' curvature adds is odd across the motion, and changes R_r by the square of the angle by which the
+  /// layer turns in the contact.
+  void passage() {
+    const double angle = std::abs(model_.pivot) * 2 * half_;
+    all_.push_back(
+        {straight_passage, message_text<2>("the layer turns by ", angle, " in the contact"), 0.0, angle * angle});
   }
 
   void inputs() {

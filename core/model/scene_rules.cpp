@@ -14,6 +14,7 @@
 #include "core/messages/message_text.hpp"
 #include "core/model/contact_surface.hpp"
 #include "core/model/heat_rules.hpp"
+#include "core/model/motion_rules.hpp"
 #include "core/scene/scene_input.hpp"
 #include "core/scene/solution.hpp"
 
@@ -173,19 +174,6 @@ void check_thicknesses(const RollingScene& scene, BrokenRules& broken) {
     broken.add("coating_layers", coating, "must be thinner than the radius, together");
 }
 
-void check_crown(const RollingScene& scene, BrokenRules& broken) {
-  const bool roller = scene.indenter == Indenter::roller;
-  if (roller && !scene.transverse_radius) broken.add_missing("transverse_radius", "indenter \"roller\" needs it");
-  if (!roller && scene.transverse_radius)
-    broken.add("transverse_radius", *scene.transverse_radius, "only with indenter \"roller\"");
-  if (!roller) return;
-  const auto only = [&](bool met, const char* rule) {
-    if (!met) broken.lines.push_back("indenter = roller: " + std::string(rule));
-  };
-  only(scene.kinematics == Kinematics::consistent, "only with kinematics \"consistent\"");
-  only(scene.method != Method::active_set, "not with method \"active_set\"");
-}
-
 void check_alternatives(const RollingScene& scene, BrokenRules& broken) {
   if (scene.load && scene.approach) broken.add("approach", *scene.approach, "give load or approach, not both");
   if (!scene.load && !scene.approach) broken.add_missing("load", "give load or approach");
@@ -202,49 +190,6 @@ void check_traction_limit(const RollingScene& scene, BrokenRules& broken) {
   if (scene.method == Method::active_set || scene.method == Method::finite_strain)
     broken.add("traction_limit", *scene.traction_limit,
                message_text("not with method \"", name_of(scene.method), "\" and friction"));
-}
-
-/// The first input that turns the axle or the path, as it was given; empty: there is none.
-std::string turning_input(const RollingScene& scene) {
-  if (scene.skew_angle) return message_text("skew_angle = ", *scene.skew_angle);
-  if (scene.axial_force) return message_text("axial_force = ", *scene.axial_force);
-  if (scene.lateral_force) return message_text("lateral_force = ", *scene.lateral_force);
-  if (scene.camber_angle != 0) return message_text("camber_angle = ", scene.camber_angle);
-  if (scene.pivot != 0) return message_text("pivot = ", scene.pivot);
-  return {};
-}
-
-/// What a body whose axle is turned, or which turns along its path, is not solved with.
-void check_turning(const RollingScene& scene, BrokenRules& broken) {
-  const bool sphere = dimension_of(scene.indenter) == 3, roller = scene.indenter == Indenter::roller;
-  if (scene.skew_angle && scene.axial_force)
-    broken.add("axial_force", *scene.axial_force, "give skew_angle or axial_force, not both");
-  if (scene.skew_angle && scene.lateral_force)
-    broken.add("lateral_force", *scene.lateral_force, "give skew_angle or lateral_force, not both");
-  if (sphere && scene.axial_force) broken.add("axial_force", *scene.axial_force, "only for a cylinder");
-  constexpr const char* sphere_alone = "only for a sphere";
-  if (!sphere && scene.lateral_force) broken.add("lateral_force", *scene.lateral_force, sphere_alone);
-  if (!sphere && scene.camber_angle != 0) broken.add("camber_angle", scene.camber_angle, sphere_alone);
-  if (!sphere && scene.pivot != 0) broken.add("pivot", scene.pivot, sphere_alone);
-  // Camber moves a crown's contact along the axle; turning does work on a body that is no sphere.
-  if (roller && scene.camber_angle != 0) broken.add("camber_angle", scene.camber_angle, sphere_alone);
-  if (roller && scene.pivot != 0) broken.add("pivot", scene.pivot, sphere_alone);
-  const std::string key = turning_input(scene);
-  if (key.empty()) return;
-  const auto only = [&](bool met, const std::string& rule) {
-    if (!met) broken.lines.push_back(key + ": " + rule);
-  };
-  if (scene.axial_force || scene.lateral_force)
-    only(scene.friction_coefficient > 0, "needs a friction_coefficient > 0");
-  if (is_straight(scene)) return;
-  if (sphere && scene.friction_coefficient > 0)
-    only(scene.coating_layers.empty(),
-         "not with a coating and friction, whose material passes along the wheel's plane");
-  only(scene.kinematics == Kinematics::consistent, "only with kinematics \"consistent\"");
-  only(scene.method == Method::automatic || scene.method == Method::newton || scene.method == Method::newton_dense ||
-           scene.friction_coefficient == 0,
-       "only with method \"automatic\", \"newton\" or \"newton_dense\"");
-  only(!scene.period, "not with a period");
 }
 
 void check_against_radius(const RollingScene& scene, BrokenRules& broken) {
@@ -373,10 +318,9 @@ std::vector<std::string> check(const RollingScene& scene) {
   const bool in_range = broken.lines.empty();
   check_thicknesses(scene, broken);
   check_alternatives(scene, broken);
-  check_crown(scene, broken);
   check_against_radius(scene, broken);
   check_drive(scene, broken);
-  check_turning(scene, broken);
+  for (std::string& line : broken_motion_rules(scene)) broken.lines.push_back(std::move(line));
   check_traction_limit(scene, broken);
   for (std::string& line : broken_heat_rules(scene, in_range)) broken.lines.push_back(std::move(line));
   check_model(scene, broken.lines.empty() || (in_range && scene.heat == Heat::off), broken);

@@ -116,6 +116,7 @@ class HeatBalanceSolution {
     solution.fourier = numbers.fourier;
     solution.biot = numbers.biot;
     for (const SteadyTemperature& state : states) solution.temperatures.push_back(state.temperature);
+    std::erase_if(solution.assumptions, [](const std::string& one) { return one.starts_with("no heat"); });
     solution.model += message_text<6>("; the warmed layers at ", solution.mean_temperature,
                                       " K, the mean by their own loss, found in ", answers_.size(),
                                       answers_.size() == 1 ? " solution" : " solutions at one temperature each");
