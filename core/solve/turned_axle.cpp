@@ -48,7 +48,7 @@ void tell_turning(const ContactModel& model, RollingSolution& solution) {
   const auto [e_x, e_y, e_z] = model.axle();
   const double turning = solution.rotation_ratio;
   solution.creepage_x = 1 - turning * e_y;
-  solution.creepage_y = turning * e_x;
+  solution.creepage_y = turning * e_x + 0.0;  // no negative zero
   solution.spin = turning * e_z / model.radius + model.pivot;
 }
 
