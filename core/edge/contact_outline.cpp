@@ -308,7 +308,8 @@ class Outline {
 
 ContactOutline contact_outline(const ContactModel& model, const SurfaceGrid& grid, const Vector& pressure) {
   if (!grid.folded && grid.rows > 1) {
-    const SurfaceGrid half = folded(grid);
+    SurfaceGrid half = folded(grid);
+    half.origin_y = 0;  // widths are told from the grid's middle row
     ContactOutline left = contact_outline(model, half, side_of(grid, pressure, 1));
     const ContactOutline right = contact_outline(model, half, side_of(grid, pressure, -1));
     left.leading = std::max(left.leading, right.leading);

@@ -31,7 +31,7 @@ double zero_beyond(double first, double second, double third) {
 }  // namespace
 
 CurveRow::CurveRow(const EdgeCurve& curve, double y) {
-  const double place = y / curve.unit, t = curve.even ? place * place : place,
+  const double place = (y - curve.origin) / curve.unit, t = curve.even ? place * place : place,
                by_y = (curve.even ? 2 * place : 1) / curve.unit;
   std::tie(centre, centre_slope) = polynomial(curve.centre, t);
   std::tie(squared, squared_slope) = polynomial(curve.squared_length, t);
@@ -80,14 +80,16 @@ EdgeCurve edge_curve(const SurfaceGrid& grid, const Vector& pressure) {
   curve.even = grid.folded;
   const Eigen::Index on_side = curve.even ? rows : (rows + 1) / 2;  // of the contact
   if (on_side < fewest) return {};
-  curve.unit = std::max(std::abs(ends.front().y), std::abs(ends.back().y));
+  curve.origin = grid.origin_y;
+  const auto aside = [&](const RowEnds& end) { return end.y - curve.origin; };
+  curve.unit = std::max(std::abs(aside(ends.front())), std::abs(aside(ends.back())));
   const Eigen::Index even_terms = std::min(most_terms, (on_side + 1) / 3 + 1),
                      terms = curve.even ? even_terms : 2 * even_terms - 1;
   Eigen::MatrixXd powers(rows, terms);
   Vector centre(rows), squared(rows);
   for (Eigen::Index i = 0; i < rows; ++i) {
     const RowEnds& end = ends[static_cast<std::size_t>(i)];
-    for (Eigen::Index k = 0; k < terms; ++k) powers(i, k) = std::pow(end.y / curve.unit, curve.even ? 2 * k : k);
+    for (Eigen::Index k = 0; k < terms; ++k) powers(i, k) = std::pow(aside(end) / curve.unit, curve.even ? 2 * k : k);
     centre(i) = 0.5 * (end.leading + end.trailing);
     squared(i) = 0.25 * std::pow(end.leading - end.trailing, 2);
   }

@@ -16,6 +16,7 @@ struct EdgeCurve {
   double unit = 1;                          // of y [m]
   Vector centre = {}, squared_length = {};  // coefficients of m [m] and h^2 [m2]; empty: not known
   bool even = true;                         // in y
+  double origin = 0;                        // of y [m]
 
   bool known() const { return centre.size() > 0; }
 };

@@ -7,6 +7,7 @@
 #include "core/material/material.hpp"
 #include "core/messages/message_text.hpp"
 #include "core/model/contact_surface.hpp"
+#include "core/model/indenter_shape.hpp"
 #include "core/numerics/solution_limits.hpp"
 
 namespace rollres {
@@ -92,6 +93,9 @@ SurfaceGrid window(const ContactModel& model, double spacing, double half_width,
   SurfaceGrid grid = window_of(model.dimension, spacing, half_width,
                                spacing * (cells == Cells::as_contact ? elongation : 1), half_width * elongation);
   if (model.mirrored()) return grid;
+  const auto [middle_x, middle_y] = IndenterShape(model).lowest();
+  grid.origin_x = middle_x;
+  grid.origin_y = middle_y;
   grid.first_row = 1 - grid.rows;
   grid.rows = grid.whole_rows();
   grid.folded = false;

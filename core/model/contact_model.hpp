@@ -91,7 +91,9 @@ struct ContactModel {
   bool skewed() const { return dimension == 2 && (skew != 0 || side_force); }
   /// Whether the contact is its own mirror image in y. The model of a sphere is in the frame of the travel.
   bool mirrored() const {
-    return dimension == 2 || friction_coefficient == 0 || (skew == 0 && camber == 0 && pivot == 0 && !side_force);
+    const bool round = !transverse_radius;  // whatever turns it without friction
+    return dimension == 2 || (friction_coefficient == 0 && round) ||
+           (skew == 0 && camber == 0 && pivot == 0 && !side_force);
   }
   /// Unit vector along the axle, to its left end.
   std::array<double, 3> axle() const;

@@ -7,29 +7,6 @@ LeverArm IndenterShape::load(double x, double y) const {
   return {.of_pressure = height(x, y) / radius_, .of_shear_x = -x / radius_};
 }
 
-double IndenterShape::fallen_of_crown(double x, double y) const {
-  const auto [along, across] = turned(x, y);
-  const double square = across * across;
-  if (crown_ == Crown::ellipse) return along * along + square * radius_ / transverse_;
-  // R - rho = R_t - sqrt(R_t^2 - y^2), held beyond the arc's end.
-  const double arc = std::sqrt(std::max(transverse_ * transverse_ - square, 0.0));
-  const double lower = std::min(square, transverse_ * transverse_) / (transverse_ + arc);
-  return along * along + lower * (2 * radius_ - lower);
-}
-
-double IndenterShape::squared_radius_slope(double across) const {
-  if (crown_ == Crown::ellipse) return -2 * across * radius_ / transverse_;
-  const double least = 1e-4 * transverse_ * transverse_;
-  const double arc = std::sqrt(std::max(transverse_ * transverse_ - across * across, least));
-  return -2 * (radius_ - transverse_ + arc) * across / arc;
-}
-
-std::array<double, 2> IndenterShape::slopes(double x, double y) const {
-  const auto [along, across] = turned(x, y);
-  const double q = height(x, y), b_along = along / q, b_across = -0.5 * squared_radius_slope(across) / q;
-  return {b_along * axle_[1] + b_across * axle_[0], -b_along * axle_[0] + b_across * axle_[1]};
-}
-
 std::array<double, 2> IndenterShape::along_surface(double x, double y, double of_x, double of_y) const {
   const double b_x = slope(x, y), b_y = slope_across(x, y), along = (1 - share_) * (b_x * of_x + b_y * of_y);
   return {of_x + b_x * along, of_y + b_y * along};
@@ -107,7 +84,7 @@ double IndenterShape::curvature(double x, double y) const {
   const double q = height(x, y);
   // rho^2/q^3, in the frame of the travel
   const double slope_x = slope(x, y);
-  if (crowned()) return (1 + slope_x * slope_x) / q;
+  if (crowned_) return (1 + slope_x * slope_x) / q;
   return (1 - bent_) * (radius_ * radius_ - y * y) / (q * q * q) + bent_ * std::cos(x / radius_) / radius_;
 }
 

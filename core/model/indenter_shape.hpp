@@ -4,11 +4,8 @@
 /// and in the grid alone.
 ///
 /// The body touches the surface first at (0, 0). With q(x, y) the height of its centre above its lower surface, its
-/// profile is B = R - q, with slopes b = -grad q. A body of revolution has q^2 = rho(y)^2 - x^2, rho its radius at y in
-/// the frame of its axle:
-///   cylinder R,   sphere sqrt(R^2 - y^2),   roller of crown radius R_t: circle R - R_t + sqrt(R_t^2 - y^2),
-///   ellipse R sqrt(1 - y^2/(R R_t))
-/// so that b_x = x/q and b_y = -rho rho'/q. A skewed roller's axes are those of the axle; b is turned back.
+/// profile is B = R - q, with slopes b = -grad q: a cylinder has q^2 = R^2 - x^2, a sphere R^2 - x^2 - y^2, a roller
+/// that of crowned_body.hpp, which touches first where its crown is lowest.
 ///
 /// The layer feels the vertical pressure p and the shear (tau_x, tau_y) on each unit of its undeformed area; it moves
 /// by w, u, v. Load P, driving force Q and torque T are integrals of lever arms times p, tau_x and tau_y; the slip of
@@ -53,8 +50,10 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <optional>
 
 #include "core/model/contact_model.hpp"
+#include "core/model/crowned_body.hpp"
 
 namespace rollres {
 
@@ -79,27 +78,33 @@ class IndenterShape {
         kinematics_(model.kinematics),
         share_(kinematics_ == Kinematics::consistent ? coating_share : 0),
         bent_(model.ring() ? coating_share : 0),
-        transverse_(model.transverse_radius.value_or(0)),
-        crown_(model.crown),
         sideways_(model.skewed() ? -model.skew : 0),
         pivot_(model.pivot),
-        axle_(flat_in_y_ ? std::array{0.0, 1.0, 0.0} : model.axle()) {}
+        axle_(flat_in_y_ ? std::array{0.0, 1.0, 0.0} : model.axle()) {
+    if (model.transverse_radius) crowned_.emplace(radius_, *model.transverse_radius, model.crown, axle_);
+  }
 
   double radius() const { return radius_; }  // R [m]
   /// Whether there is a lower surface above this place.
-  bool covers(double x, double y) const { return fallen(x, y) < radius_ * radius_; }
+  bool covers(double x, double y) const { return crowned_ ? crowned_->covers(x, y) : fallen(x, y) < radius_ * radius_; }
+  /// The lowest point of the body, below its middle but for a roller under camber [m].
+  std::array<double, 2> lowest() const {
+    return crowned_ ? std::array{crowned_->lowest().x, crowned_->lowest().y} : std::array{0.0, 0.0};
+  }
   /// q(x, y), held at R/100 beyond the body so that grids may be wider [m].
   double height(double x, double y = 0) const {
+    if (crowned_) return crowned_->depth(x, y);
     return std::sqrt(std::max(radius_ * radius_ - fallen(x, y), 1e-4 * radius_ * radius_));
   }
   /// Height of the lower surface above its lowest point, without the cancellation of R - q [m].
   double profile(double x, double y = 0) const {
+    if (crowned_) return crowned_->profile(x, y);
     const double flat = (1 - bent_) * fallen(x, y) / (radius_ + height(x, y)), sine = std::sin(0.5 * x / radius_);
     return bent_ == 0 ? flat : flat + bent_ * 2 * radius_ * sine * sine;
   }
   /// Its derivative along x [1].
   double slope(double x, double y = 0) const {
-    if (crowned()) return slopes(x, y)[0];
+    if (crowned_) return crowned_->slopes(x, y)[0];
     const double flat = (1 - bent_) * x / height(x, y);
     return bent_ == 0 ? flat : flat + bent_ * std::sin(x / radius_);
   }
@@ -144,28 +149,17 @@ class IndenterShape {
   /// Of a consistent body's surface: (1 + (1 - k) b b^T) times a horizontal vector.
   std::array<double, 2> along_surface(double x, double y, double of_x, double of_y) const;
   double slope_across(double x, double y) const {  // b_y
-    return flat_in_y_ ? 0 : crowned() ? slopes(x, y)[1] : y / height(x, y);
+    return flat_in_y_ ? 0 : crowned_ ? crowned_->slopes(x, y)[1] : y / height(x, y);
   }
-  bool crowned() const { return transverse_ > 0; }
   /// R^2 - q^2 [m2]
-  double fallen(double x, double y) const {
-    return crowned() ? fallen_of_crown(x, y) : flat_in_y_ ? x * x : x * x + y * y;
-  }
-  double fallen_of_crown(double x, double y) const;
-  std::array<double, 2> slopes(double x, double y) const;  // b of a crowned roller
-  /// In the frame of a roller's axle.
-  std::array<double, 2> turned(double x, double y) const {
-    return {x * axle_[1] - y * axle_[0], x * axle_[0] + y * axle_[1]};
-  }
-  double squared_radius_slope(double across) const;  // d(rho^2)/dy [m]
+  double fallen(double x, double y) const { return flat_in_y_ ? x * x : x * x + y * y; }
 
   double radius_;
   bool flat_in_y_;
   Kinematics kinematics_;
-  double share_;       // of the coating in what yields, 0 to 1
-  double bent_;        // the same where the coating is a ring, else 0
-  double transverse_;  // radius of a roller's crown; 0: none [m]
-  Crown crown_;
+  double share_;  // of the coating in what yields, 0 to 1
+  double bent_;   // the same where the coating is a ring, else 0
+  std::optional<CrownedBody> crowned_;
   double sideways_, pivot_;     // rigid slip along the axle of a skewed cylinder [1]; of a sphere about z [1/m]
   std::array<double, 3> axle_;  // its direction
 };

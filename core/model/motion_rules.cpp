@@ -46,9 +46,10 @@ void check_turning(const RollingScene& scene, MotionLines& lines) {
   const std::string sphere_alone = "only for a sphere";
   if (!round && scene.lateral_force)
     lines.push_back(refused("lateral_force", *scene.lateral_force, "only for a sphere or roller"));
-  // Camber moves a crown's contact along the axle; turning does work on a body that is no sphere.
+  // Turning along the path does work on a body that is no sphere, which the straight passage does not have.
   const bool ball = scene.indenter == Indenter::sphere;
-  if (!ball && scene.camber_angle != 0) lines.push_back(refused("camber_angle", scene.camber_angle, sphere_alone));
+  if (!round && scene.camber_angle != 0)
+    lines.push_back(refused("camber_angle", scene.camber_angle, "only for a sphere or roller"));
   if (!ball && scene.pivot != 0) lines.push_back(refused("pivot", scene.pivot, sphere_alone));
   const std::string key = turning_input(scene);
   if (key.empty()) return;

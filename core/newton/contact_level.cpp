@@ -21,9 +21,11 @@ ContactUnknowns first_guess(const ContactProblem& problem, const ContactEstimate
   const SurfaceGrid& grid = problem.grid;
   guess.pressure = Vector::Zero(grid.size());
   const bool adhesive = problem.model.adhesion_threshold > 0;
+  const auto [middle_x, middle_y] = problem.shape.lowest();
   for (int row = 0; row < grid.rows; ++row)
     for (int column = 0; column < grid.columns; ++column) {
-      const double r = std::hypot(grid.x(column), grid.y(row) / estimate.elongation) / estimate.half_width;
+      const double x = grid.x(column) - middle_x, y = (grid.y(row) - middle_y) / estimate.elongation;
+      const double r = std::hypot(x, y) / estimate.half_width;
       if (adhesive)
         guess.pressure(grid.index(column, row)) = 1;
       else if (r < 1)
@@ -52,7 +54,7 @@ Vector interpolate(const Vector& values, const SurfaceGrid& from, const SurfaceG
   for (int row = 0; row < to.rows; ++row)
     for (int column = 0; column < to.columns; ++column) {
       const double x = (to.x(column) - from.origin_x) / from.spacing_x - from.first_column;
-      const double y = to.y(row) / from.spacing_y - from.first_row;
+      const double y = (to.y(row) - from.origin_y) / from.spacing_y - from.first_row;
       const double left = std::floor(x), below = std::floor(y), fx = x - left, fy = y - below;
       const int c = static_cast<int>(left), r = static_cast<int>(below);
       double value = (1 - fx) * at(c, r) + fx * at(c + 1, r);
@@ -88,7 +90,7 @@ SurfaceGrid follow(const ContactLevel& level, const SurfaceGrid& like, double ma
       if (level.outcome.zone[static_cast<std::size_t>(grid.index(column, row))] != Zone::free) {
         leading = std::max(leading, grid.x(column));
         trailing = std::min(trailing, grid.x(column));
-        half_width = std::max(half_width, std::abs(grid.y(row)));
+        half_width = std::max(half_width, std::abs(grid.y(row) - like.origin_y));
       }
   if (leading < trailing) return like;  // no contact: around nothing
   const ContactModel& model = level.problem->model;

@@ -82,7 +82,7 @@ ContactIntegrals contact_integrals(const ContactProblem& problem, const Vector& 
       sums.unbalanced += force * (problem.shape.resisting_curvature(x, y) - curved);
     }
     if (first < 0) continue;
-    rows.push_back({grid.y(row), 0.5 * static_cast<double>(last - first + 1) * spacing,
+    rows.push_back({grid.y(row) - grid.origin_y, 0.5 * static_cast<double>(last - first + 1) * spacing,
                     width * edge_slopes(pressure, first, last, spacing)});
     sums.half_length = std::max(sums.half_length, rows.back().half_length);
     for (Eigen::Index i = std::max(first, start + 1); i <= std::min(last + 1, end); ++i)

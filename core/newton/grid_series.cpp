@@ -33,24 +33,25 @@ constexpr double edge_place = 0.3;
 
 /// The elliptical contact with the level's moments of pressure.
 struct PressureEllipse {
-  double centre = 0, half_length = 0, half_width = 0;  // [m]
+  double centre_x = 0, centre_y = 0, half_length = 0, half_width = 0;  // [m]
 };
 
 PressureEllipse pressure_ellipse(const ContactLevel& level) {
   const SurfaceGrid& grid = level.problem->grid;
-  double sum = 0, first = 0, second_x = 0, second_y = 0;
+  double sum = 0, first_x = 0, first_y = 0, second_x = 0, second_y = 0;
   for (int row = 0; row < grid.rows; ++row)
     for (int column = 0; column < grid.columns; ++column) {
       const double p = level.outcome.unknowns.pressure(grid.index(column, row)) * grid.images(row);
       const double x = grid.x(column), y = grid.y(row);
       sum += p;
-      first += p * x;
+      first_x += p * x;
+      if (!grid.folded) first_y += p * y;
       second_x += p * x * x;
       second_y += p * y * y;
     }
   // Of p0 sqrt(1 - r^2) over an ellipse each second moment is a fifth of the squared half-axis.
-  const double centre = first / sum;
-  return {centre, std::sqrt(5 * (second_x / sum - centre * centre)), std::sqrt(5 * second_y / sum)};
+  const double x = first_x / sum, y = first_y / sum;
+  return {x, y, std::sqrt(5 * (second_x / sum - x * x)), std::sqrt(5 * (second_y / sum - y * y))};
 }
 
 }  // namespace
@@ -89,7 +90,8 @@ GridSeries tied_grids(const ContactModel& model, double cells_on_half_width) {
     const PressureEllipse ellipse = pressure_ellipse(level);
     // A contact of a single node or column has no width of its own.
     if (!(ellipse.half_length > 0 && ellipse.half_width > 0)) return follow(level, grid, margin(from, from / 2));
-    grid.origin_x = ellipse.centre;
+    grid.origin_x = ellipse.centre_x;
+    grid.origin_y = ellipse.centre_y;
     grid.spacing_x = ellipse.half_length / cells;
     grid.spacing_y = ellipse.half_width / cells;
     return follow(level, grid, margin(from, std::max(grid.spacing_x, grid.spacing_y)));

@@ -82,6 +82,7 @@ EdgeCorrection correction_of(const ContactLevel& level) {
   const ContactModel& model = problem.model;
   if (!problem.plane || model.kinematics != Kinematics::consistent || model.adhesion_threshold > 0 || !model.load)
     return {};
+  if (model.transverse_radius && !model.mirrored()) return {};  // whose contact is turned
   const ContactUnknowns& x = level.outcome.unknowns;
   const double turning = problem.turning_ratio(x.rotation_ratio) / problem.shape.radius();
   PressedSphere sphere{model, problem.grid, *level.influence, problem.profile, problem.load.of_pressure, {}};

@@ -44,7 +44,7 @@ void take_open_skew(double skew, double force, const RollingSolution& beside, do
 void tell_turning(const ContactModel& model, RollingSolution& solution) {
   if (model.skew == 0 && model.camber == 0 && model.pivot == 0 && !model.side_force) return;
   solution.skew_angle = std::atan(model.skew);
-  if (model.friction_coefficient == 0) solution.lateral_force = solution.spin_moment = solution.overturning_moment = 0;
+  if (model.mirrored()) solution.lateral_force = solution.spin_moment = solution.overturning_moment = 0;
   const auto [e_x, e_y, e_z] = model.axle();
   const double turning = solution.rotation_ratio;
   solution.creepage_x = 1 - turning * e_y;

@@ -104,7 +104,7 @@ void draw_turning(Dice& dice, RollingScene& scene) {
     scene.crown = dice.choice(2) == 0 ? Crown::circle : Crown::ellipse;
   }
   if (!scene.coating_layers.empty() || dice.choice(4) != 0) return;
-  const int turning = scene.indenter == Indenter::roller ? 0 : dice.choice(4);
+  const int turning = dice.choice(scene.indenter == Indenter::roller ? 2 : 4);
   if (turning == 0 || turning == 3) scene.skew_angle = rounded(dice.signed_log_uniform(1e-4, 0.2));
   if (turning == 1 || turning == 3) scene.camber_angle = rounded(dice.signed_log_uniform(1e-3, 0.8));
   if (turning >= 2) scene.pivot = rounded(dice.signed_log_uniform(1e-3, 0.3) / scene.radius);

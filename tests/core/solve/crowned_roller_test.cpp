@@ -1,3 +1,5 @@
+// Covers motion_rules, too.
+
 // A roller with a crown: contacts longer across the motion than along it, or shorter.
 
 #include <cmath>
@@ -94,6 +96,67 @@ TEST_CASE("the middle of a long crown presses as a cylinder", "[core][roller]") 
     before = apart;
   }
   CHECK(before < 1e-3);
+}
+
+TEST_CASE("a cambered crown touches beside the middle as the body of revolution there", "[core][roller]") {
+  // Its lowest point lies (R_t - R) sin g from under the middle, and is curved by R_t across and by rho/cos g along the
+  // motion, rho = R - R_t + R_t cos g: Hertz's ellipse for those radii.
+  constexpr double radius = 0.02, transverse = 0.06, camber = 4 * M_PI / 180;
+  const auto pressed = [](RollingScene scene) {
+    scene.material = MaterialModel::elastic;
+    scene.layer_thickness = INFINITY;
+    scene.inertia = Inertia::off;
+    scene.friction_coefficient = 0;
+    scene.load = 4;
+    return answer_of_roller(scene);
+  };
+  RollingScene leaning = crowned(transverse);
+  leaning.camber_angle = camber;
+  RollingScene straight = crowned(transverse, Crown::ellipse);
+  straight.radius = (radius - transverse + transverse * std::cos(camber)) / std::cos(camber);
+  const RollingSolution found = pressed(leaning), wanted = pressed(straight);
+  CHECK(found.approach == Approx(wanted.approach).epsilon(1e-3));
+  CHECK(found.peak_pressure == Approx(wanted.peak_pressure).epsilon(2e-3));
+  CHECK(found.half_width == Approx(wanted.half_width).epsilon(1e-2));
+  const SurfaceGrid& grid = found.fields.grid;
+  double force = 0, moment = 0;
+  for (int row = 0; row < grid.rows; ++row)
+    for (int column = 0; column < grid.columns; ++column) {
+      force += found.fields.pressure[static_cast<std::size_t>(grid.index(column, row))];
+      moment += grid.y(row) * found.fields.pressure[static_cast<std::size_t>(grid.index(column, row))];
+    }
+  CHECK(moment / force == Approx(-(transverse - radius) * std::sin(camber)).epsilon(2e-3));
+}
+
+TEST_CASE("under camber a crown of the roller's own radius is a cambered sphere", "[core][roller]") {
+  RollingScene sphere = crowned(0.02);
+  sphere.indenter = Indenter::sphere;
+  sphere.transverse_radius.reset();
+  sphere.camber_angle = 0.15;
+  const RollingSolution wanted = answer_of_roller(sphere);
+  for (const Crown crown : {Crown::circle, Crown::ellipse}) {
+    RollingScene scene = crowned(0.02, crown);
+    scene.camber_angle = 0.15;
+    const RollingSolution found = answer_of_roller(scene);
+    CHECK(found.lateral_force == Approx(wanted.lateral_force).epsilon(1e-6));
+    CHECK(found.spin_moment == Approx(wanted.spin_moment).epsilon(1e-6));
+    CHECK(found.rolling_resistance == Approx(wanted.rolling_resistance).epsilon(1e-3));  // the sphere's has its edge
+  }
+}
+
+TEST_CASE("a cambered crowned roller balances its power to second order in the cell", "[core][roller]") {
+  for (const Crown crown : {Crown::circle, Crown::ellipse}) {
+    RollingScene scene = crowned(0.06, crown);
+    scene.drive = Drive::free;
+    scene.camber_angle = 0.1;
+    scene.skew_angle = 0.02;
+    scene.spacing = 0.3e-3;
+    const double coarse = answer_of_roller(scene).energy_residual;
+    scene.spacing = 0.15e-3;
+    const double fine = answer_of_roller(scene).energy_residual;
+    CHECK(coarse < 1e-2);
+    CHECK(fine < 0.5 * coarse);
+  }
 }
 
 TEST_CASE("a skewed crowned roller balances its power and is its own mirror image", "[core][roller]") {

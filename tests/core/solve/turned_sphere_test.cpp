@@ -185,5 +185,5 @@ TEST_CASE("what a turned body is not solved with is said", "[core][turned]") {
   CHECK_THAT(rule(other), Contains("pivot = 3: only for a sphere"));
   other.pivot = 0;
   other.camber_angle = 0.1;
-  CHECK_THAT(rule(other), Contains("camber_angle = 0.1: only for a sphere"));
+  CHECK_THAT(rule(other), Contains("camber_angle = 0.1: only for a sphere or roller"));
 }
