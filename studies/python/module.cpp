@@ -547,7 +547,8 @@ void add_objective(py::module_& module) {
            [](const Function& self, const std::vector<double>& x) { return scene_at(self.objective_itself(), x); })
       .def("value", &Function::value)
       .def("gradient", &Function::gradient)
-      .def(py::pickle(&Function::state, [](const py::tuple& state) { return Function(state); }));
+      .def(py::pickle([](const Function& self) { return self.state(); },
+                      [](const py::tuple& state) { return Function(state); }));
 }
 
 py::object gradient_of(const RollingScene& scene, const std::vector<std::string>& inputs, const std::string& output,

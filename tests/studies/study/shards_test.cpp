@@ -145,19 +145,20 @@ TEST_CASE("a queue's variable tells the shard, and shards by each are the rows o
 TEST_CASE("without a queue's index, or with two, a shard is refused", "[studies][shards]") {
   const NoQueue nothing_set;
   CHECK_THROWS_WITH(parse_shard("auto/4"),
-                    Catch::Contains("no queue tells the index of a task (SLURM_ARRAY_TASK_ID, ") &&
-                        Catch::EndsWith("submit an array of jobs, or give I/N"));
+                    Catch::Matchers::Contains("no queue tells the index of a task (SLURM_ARRAY_TASK_ID, ") &&
+                        Catch::Matchers::EndsWith("submit an array of jobs, or give I/N"));
   for (const char* const wrong : {"auto", "auto/", "auto/0", "auto/x", "auto/100001", "Auto/4"})
-    CHECK_THROWS_WITH(parse_shard(wrong), Catch::Contains("must be I/N or auto/N"));
+    CHECK_THROWS_WITH(parse_shard(wrong), Catch::Matchers::Contains("must be I/N or auto/N"));
   const WithVariable no_array("SGE_TASK_ID", "undefined"), none_either("LSB_JOBINDEX", "0");
-  CHECK_THROWS_WITH(parse_shard("auto/4"), Catch::Contains("no queue tells"));
+  CHECK_THROWS_WITH(parse_shard("auto/4"), Catch::Matchers::Contains("no queue tells"));
   const WithVariable slurm("SLURM_ARRAY_TASK_ID", "3");
   const WithVariable same("JOB_COMPLETION_INDEX", "2");
   CHECK(parse_shard("auto/4").variable == "SLURM_ARRAY_TASK_ID = 3");
   CHECK(parse_shard("4/4").variable.empty());
   const WithVariable other("JOB_COMPLETION_INDEX", "1");
-  CHECK_THROWS_WITH(parse_shard("auto/4"),
-                    Catch::Contains("SLURM_ARRAY_TASK_ID = 3 and JOB_COMPLETION_INDEX = 1 are different tasks"));
+  CHECK_THROWS_WITH(
+      parse_shard("auto/4"),
+      Catch::Matchers::Contains("SLURM_ARRAY_TASK_ID = 3 and JOB_COMPLETION_INDEX = 1 are different tasks"));
 }
 
 TEST_CASE("the predicted cost grows with the number of nodes and falls without friction", "[studies][shards]") {
