@@ -1,6 +1,7 @@
 """Pickles and pools of processes: pools.py PART. Each part prints nothing unless it fails."""
 
 import copy
+import json
 import multiprocessing
 import pathlib
 import pickle
@@ -35,9 +36,11 @@ def same(one, other):
 
 def pickles():
     """What was pickled is the same to the last bit."""
-    answers = [rollres.solve(CYLINDER), rollres.solve(SPHERE), rollres.solve(CYLINDER, skew_angle="1 deg"),
+    wheel = json.loads((EXAMPLES / "warm_wheel.json").read_text())["scene"]
+    wheel["coating_layers"][0]["master_curve_file"] = str(EXAMPLES / "polyurethane.csv")
+    answers = [rollres.solve(CYLINDER), rollres.solve(SPHERE), rollres.solve(CYLINDER, skew_angle="1 deg", kinematics="consistent"),
                rollres.solve(CYLINDER, method="newton", spacing="0.2 mm"),
-               rollres.solve(CYLINDER, layer_thickness="6 m"), rollres.solve(EXAMPLES / "warm_wheel.json"),
+               rollres.solve(CYLINDER, layer_thickness="6 m"), rollres.solve(wheel, heat="on", speed=1, tolerance=1e-2),
                rollres.solve(CYLINDER, drive="torque", driving_torque=200), *rollres.solve_many([CYLINDER])]
     for answer in answers:
         for found in (again(answer), copy.copy(answer), copy.deepcopy(answer), again(again(answer))):
