@@ -40,6 +40,8 @@ python3-dev: Python.h
 python3-scipy: an example of the Python package
 python3-matplotlib: an example of the Python package
 python3-lmfit: an example of the Python package
+python3-joblib: an example of the Python package
+python3-distributed: an example of the Python package
 r-cran-dbi: the README's R
 r-cran-rsqlite: the README's R
 r-base-core: the README's R

@@ -10,21 +10,19 @@
 #include <thread>
 #include <vector>
 
+#include "core/numerics/cores.hpp"
 #include "core/numerics/threads.hpp"
 
 namespace rollres {
 
-/// Jobs side by side for so many pieces of work. `wanted` is what is asked for; 0: one for each core.
+/// Jobs side by side for so many pieces of work. `wanted` is what is asked for; 0: one for each usable core.
 inline std::size_t jobs_for(int wanted, std::size_t pieces) {
-  const std::size_t jobs =
-      wanted > 0 ? static_cast<std::size_t>(wanted) : std::max(1u, std::thread::hardware_concurrency());
-  return std::min(jobs, pieces);
+  return std::min(static_cast<std::size_t>(wanted > 0 ? wanted : usable_cores()), pieces);
 }
 
 /// Cores that each of so many jobs may take.
 inline int cores_for_each(std::size_t jobs) {
-  return static_cast<int>(
-      std::max<std::size_t>(1, std::thread::hardware_concurrency() / std::max<std::size_t>(1, jobs)));
+  return std::max(1, usable_cores() / static_cast<int>(std::max<std::size_t>(1, jobs)));
 }
 
 /// Calls work(0) to work(pieces - 1), each once and in any order, and returns when all have ended. The first exception

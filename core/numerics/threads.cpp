@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <limits>
 
+#include "core/numerics/cores.hpp"
 #include "core/numerics/solution_limits.hpp"
 
 namespace rollres {
@@ -21,7 +22,7 @@ void limit_threads(int count) { most_threads = count; }
 
 int threads_for(double points) {
   constexpr double worth_sharing = 2e5;
-  return points < worth_sharing ? 1 : std::min(most_threads, tbb::this_task_arena::max_concurrency());
+  return points < worth_sharing ? 1 : std::min({most_threads, usable_cores(), tbb::this_task_arena::max_concurrency()});
 }
 
 void share_out(int count, int threads, const std::function<void(int index, int slot)>& work) {

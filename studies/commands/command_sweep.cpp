@@ -70,14 +70,20 @@ void print_summary(Session& session, const SweepReport& report, const std::vecto
   if (report.interrupted) session.err << "interrupted: the same command solves what is missing\n";
 }
 
-void sweep(const SweepArguments& arguments, Session& session) {
+void sweep(const SweepArguments& given, Session& session) {
+  SweepArguments arguments = given;
   const Study study = read_study(arguments.study);
   SweepOptions options;
   options.jobs = arguments.jobs;
   std::optional<StopSignal> signal;  // until the first point there is nothing to bring home: a signal ends the program
   options.ready = [&] { signal.emplace(); };
   options.stop = &StopSignal::requested();
-  if (!arguments.shard.empty()) options.shard = parse_shard(arguments.shard);
+  if (!arguments.shard.empty()) {
+    options.shard = parse_shard(arguments.shard);
+    arguments.shard = options.shard.name();
+    if (const std::string& variable = options.shard.variable; !variable.empty())
+      session.err << "shard " << arguments.shard << " by " << variable << '\n';
+  }
   options.retry = retry_named(arguments.retry);
   options.fields = arguments.fields || study.fields ? Fields::kept : Fields::dropped;
   options.replace = arguments.replace;
@@ -108,7 +114,8 @@ void add_sweep(Command& program, Session& session) {
   command->add_option("--db FILE", arguments.database, "database; created if it is missing")->or_usual_database();
   command->add_option("--jobs N", arguments.jobs, "threads; default: one for each core")->between(1, 1024);
   command->add_option("--shard I/N", arguments.shard,
-                      "I/N: solve only the I-th of N parts of about the same cost; rollres merge brings them together");
+                      "I/N: solve only the I-th of N parts of about the same cost; rollres merge brings them together; "
+                      "auto/N: I is the index of the task in a queue's array of jobs");
   command
       ->add_option("--retry WHICH", arguments.retry,
                    "solve again what is stored: failed (every point without an answer), not_converged, or all; the new "
@@ -124,7 +131,8 @@ void add_sweep(Command& program, Session& session) {
       "Example: rollres sweep studies/examples/speed_resistance.json --db results.db\n"
       "16 parts on 8 cores, by GNU parallel (for Slurm see rollres slurm):\n"
       "  parallel -j 8 rollres sweep STUDY --shard {}/16 --jobs 1 --db shard-{}.db ::: $(seq 16)\n"
-      "  rollres merge shard-*.db --db results.db");
+      "  rollres merge shard-*.db --db results.db\n"
+      "In an array of 16 jobs of any other queue: rollres sweep STUDY --shard auto/16 --db shard-$INDEX.db");
 }
 
 }  // namespace rollres

@@ -13,12 +13,14 @@
 #include "core/model/scene_rules.hpp"
 #include "core/numerics/parallel.hpp"
 #include "core/numerics/solution_limits.hpp"
+#include "core/numerics/threads.hpp"
 #include "core/scene/scene_input.hpp"
 #include "db/queries/query.hpp"
 #include "db/rows/layer_list.hpp"
 #include "db/rows/result_store.hpp"
 #include "db/rows/schema.hpp"
 #include "studies/program/commands.hpp"
+#include "studies/python/pickled_values.hpp"
 #include "studies/run/stop_signal.hpp"
 #include "studies/run/stored_evaluations.hpp"
 #include "studies/run/sweep.hpp"
@@ -372,6 +374,8 @@ void add_fields(py::module_& module) {
         return positions(grid.rows, [&](int i) { return grid.y(i); });
       },
       "positions of the nodes along y [m]");
+  fields.def(py::pickle([](const FieldArrays& self) { return py::make_tuple(self.answer); },
+                        [](const py::tuple& state) { return FieldArrays{state[0].cast<std::shared_ptr<Answer>>()}; }));
 }
 
 void add_result(py::module_& module) {
@@ -391,7 +395,12 @@ void add_result(py::module_& module) {
           "The text of `rollres solve`.")
       .def(
           "json", [](const Answer& self) { return solution_json(self.scene, self.solution); },
-          "The text of `rollres solve --json`.");
+          "The text of `rollres solve --json`.")
+      .def(py::pickle([](const Answer& self) { return py::make_tuple(self.scene, state_of(self.solution)); },
+                      [](const py::tuple& state) {
+                        return std::make_shared<Answer>(
+                            Answer{state[0].cast<RollingScene>(), solution_from(state[1].cast<py::dict>())});
+                      }));
   const auto walk = [](const py::object& self, const auto& visitor) {
     visit_outputs(self.cast<const Answer&>().solution, visitor);
   };
@@ -430,6 +439,18 @@ Answers solve_many(const std::vector<RollingScene>& scenes, int threads, const p
   return answers;
 }
 
+/// One scene of many, by one thread: a pool has a process for each core.
+std::shared_ptr<Answer> solve_one(const RollingScene& scene, bool fields) {
+  const auto answer = std::make_shared<Answer>(Answer{scene, {}});
+  watched(
+      [&](const std::atomic<bool>& stop) {
+        limit_threads(1);
+        answer->solution = evaluate_safely(solve_until(stop), scene, fields ? Fields::kept : Fields::dropped);
+      },
+      [] {});
+  return answer;
+}
+
 // Objectives.
 
 /// An output as a function of some inputs, with its gradient.
@@ -438,12 +459,25 @@ class Function {
   using Choice = std::tuple<std::string, py::object, py::object>;
 
   Function(const RollingScene& scene, const std::vector<Choice>& inputs, const std::string& output) {
-    std::vector<InputChoice> choices;
     for (const auto& [key, lowest, highest] : inputs) {
       require_held(key);
-      choices.push_back({key, bound(key, lowest, scene), bound(key, highest, scene)});
+      choices_.push_back({key, bound(key, lowest, scene), bound(key, highest, scene)});
     }
-    objective_ = objective(scene, choices, output, solve);
+    objective_ = objective(scene, choices_, output, solve);
+  }
+
+  /// Of a pickle, with the noise that was measured.
+  explicit Function(const py::tuple& state) {
+    for (const auto& [key, lowest, highest] : state[1].cast<std::vector<Held>>())
+      choices_.push_back({key, lowest, highest});
+    objective_ = objective(state[0].cast<RollingScene>(), choices_, state[2].cast<std::string>(), solve);
+    if (!state[3].is_none()) calibration_ = calibration_from(state[3]);
+  }
+  py::tuple state() const {
+    py::list choices;
+    for (const InputChoice& choice : choices_) choices.append(Held(choice.key, choice.lowest, choice.highest));
+    return py::make_tuple(objective_.base, choices, std::string(objective_.output.key),
+                          calibration_ ? py::object(state_of(*calibration_)) : py::none());
   }
 
   const Objective& objective_itself() const { return objective_; }
@@ -475,6 +509,8 @@ class Function {
   }
 
  private:
+  using Held = std::tuple<std::string, std::optional<double>, std::optional<double>>;  // key and bounds
+
   /// A bound: a number in SI, a text with a unit, or none.
   static std::optional<double> bound(const std::string& key, const py::object& given, const RollingScene& scene) {
     const InputKind* const kind = find_number(key);
@@ -488,6 +524,7 @@ class Function {
     return number;
   }
 
+  std::vector<InputChoice> choices_;
   Objective objective_;
   std::optional<Calibration> calibration_;
 };
@@ -509,7 +546,9 @@ void add_objective(py::module_& module) {
       .def("scene",
            [](const Function& self, const std::vector<double>& x) { return scene_at(self.objective_itself(), x); })
       .def("value", &Function::value)
-      .def("gradient", &Function::gradient);
+      .def("gradient", &Function::gradient)
+      .def(py::pickle([](const Function& self) { return self.state(); },
+                      [](const py::tuple& state) { return Function(state); }));
 }
 
 py::object gradient_of(const RollingScene& scene, const std::vector<std::string>& inputs, const std::string& output,
@@ -634,12 +673,13 @@ PYBIND11_MODULE(_rollres, module) {
   add_fields(module);
   add_result(module);
   add_objective(module);
-  refuse_unmade<RollingScene, FieldArrays, Variable, Function>();
+  refuse_unmade<RollingScene, Answer, FieldArrays, Variable, Function>();
   module.def("solve", [](const RollingScene& scene) {
     return std::make_shared<Answer>(Answer{scene, solve_here(scene)});
   });
   module.def("model", [](const RollingScene& scene) { return from_json(model_json(scene)); });
   module.def("solve_many", &solve_many);
+  module.def("solve_one", &solve_one);
   module.def("gradient", &gradient_of);
   module.def("sweep", &sweep);
   module.def("query", &query);

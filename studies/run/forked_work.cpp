@@ -15,9 +15,9 @@
 #include <cstdlib>
 #include <memory>
 #include <stdexcept>
-#include <thread>
 #include <vector>
 
+#include "core/numerics/cores.hpp"
 #include "core/numerics/threads.hpp"
 
 namespace rollres {
@@ -167,8 +167,7 @@ std::vector<pollfd> sockets_of(const std::vector<std::unique_ptr<Child>>& childr
 }  // namespace
 
 void run_forked(const ForkedWork& work) {
-  const std::size_t wanted = work.jobs > 0 ? static_cast<std::size_t>(work.jobs)
-                                           : std::max<std::size_t>(1, std::thread::hardware_concurrency());
+  const auto wanted = static_cast<std::size_t>(work.jobs > 0 ? work.jobs : usable_cores());
   std::size_t next = 0;
   std::vector<std::unique_ptr<Child>> children;  // each has a piece in hand
   const auto begin = Clock::now();

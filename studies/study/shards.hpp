@@ -13,11 +13,15 @@ namespace rollres {
 struct Shard {
   int index = 1;
   int count = 1;
+  std::string variable = {};  ///< of the queue, with its value, that tells the index; empty: it was given
+
+  std::string name() const { return std::to_string(index) + "/" + std::to_string(count); }
 };
 
 constexpr int most_shards = 100000;
 
-/// Reads "3/16".
+/// Reads "3/16", or "auto/16": then a queue tells its task's index by a variable of the environment. Outside of arrays
+/// some queues set it to nothing, "undefined" or, LSF, to 0: these count as not set.
 /// @throws std::invalid_argument naming the rule
 Shard parse_shard(std::string_view text);
 

@@ -99,15 +99,38 @@ def _rows(scenes):
     return scenes
 
 
-def solve_many(scenes, base=None, *, threads=0, progress=None, fields=False, db=None):
+class _SolveOne:
+    """Solves one of many scenes; pickles for a pool."""
+
+    def __init__(self, fields):
+        self.fields = fields
+
+    def __call__(self, scene):
+        return _rollres.solve_one(scene, self.fields)
+
+
+def _mapped(pool_map, scenes, fields, progress):
+    """Results of a pool, in the order of the scenes; of dask.distributed it gives futures."""
+    results = []
+    for one in pool_map(_SolveOne(fields), scenes) if scenes else []:
+        results.append(one if isinstance(one, Result) else one.result())
+        if progress is not None:
+            progress(len(results), len(scenes))
+    if len(results) != len(scenes):
+        raise ValueError(f"map gave {len(results)} answers to {len(scenes)} scenes")
+    return results
+
+
+def solve_many(scenes, base=None, *, threads=0, progress=None, fields=False, db=None, map=None):
     """Solves many scenes side by side, without Python's lock.
 
     scenes    a list of what `solve` takes, or a pandas.DataFrame with a column for each input
     base      a scene, dict or file whose inputs they replace
     threads   0: one for each core
-    progress  called as progress(answered, all), some thirty times a second
+    progress  called as progress(answered, all), some thirty times a second; with map after each answer
     fields    keep the fields of each answer
     db        a database: recall what is stored there, store the rest (without fields)
+    map       of a pool, executor.map or dask's client.map: map(function, list) solves each scene in one thread of a worker
 
     The answers are Results in the order of the scenes; those without an answer have another status than "converged".
     Ctrl-C ends it within a tenth of a second; what was stored by then stays.
@@ -117,6 +140,10 @@ def solve_many(scenes, base=None, *, threads=0, progress=None, fields=False, db=
     else:
         base = _scene(base, {})
         asked = [one if isinstance(one, Scene) else base.replaced(one) for one in _rows(scenes)]
+    if map is not None:
+        if db is not None or threads:
+            raise ValueError("solve_many: map does not go with db or threads: the pool has its own workers, without a store")
+        return _mapped(map, asked, fields, progress)
     return _rollres.solve_many(asked, threads, progress, fields, None if db is None else _os.fspath(db))
 
 
@@ -175,6 +202,9 @@ class Objective:
         self.scales = [abs(variable.slope(x)) for variable, x in zip(self._variables, self.x0)]
         self.scaled = _ScaledObjective(self)
 
+    def __reduce__(self):
+        return Objective, (self._function, self._threads, self._order)
+
     def __call__(self, x):
         return self._function.value([float(value) for value in x])
 
@@ -195,7 +225,8 @@ class Objective:
 
     def solve_many(self, points, **options):
         """Results at many points."""
-        return solve_many([self.scene(x) for x in points], threads=options.pop("threads", self._threads), **options)
+        options.setdefault("threads", 0 if options.get("map") else self._threads)
+        return solve_many([self.scene(x) for x in points], **options)
 
 
 class _ScaledObjective:
@@ -205,6 +236,9 @@ class _ScaledObjective:
         self.x0 = self.of(objective.x0)
         self.bounds = [tuple(variable.scaled(end) if 0 < abs(end) < _math.inf or not variable.logarithmic else None
                              for end in ends) for variable, ends in zip(objective._variables, objective.bounds)]
+
+    def __reduce__(self):
+        return getattr, (self._objective, "scaled")
 
     def of(self, x):
         """Scaled variables of a point in SI."""

@@ -6,6 +6,7 @@
 #include "tests/studies/program.hpp"
 #include "tests/studies/stored_rows.hpp"
 #include "tests/studies/temporary_directory.hpp"
+#include "tests/studies/with_variable.hpp"
 
 // Covers export_study, standalone_study, command_merge, command_status and command_slurm, too.
 
@@ -63,6 +64,22 @@ TEST_CASE("shards, status and merge go together on the command line", "[studies]
   CHECK(complete.status == 0);
   CHECK(Json::parse(complete.out)["converged"] == 20);
   CHECK(Json::parse(complete.out)["missing"] == 0);
+}
+
+TEST_CASE("a sweep takes its shard from a queue and says so", "[studies][commands]") {
+  const Shards shards;
+  std::vector<std::string> words{"sweep", shards.study, "--shard", "auto/3", "--db", shards.file("shard")};
+  const WithVariable task("PBS_ARRAY_INDEX", "2");
+  const ProgramRun one = shards.run(words);
+  CHECK(one.status == 0);
+  CHECK(one.err == "shard 2/3 by PBS_ARRAY_INDEX = 2\n");
+  CHECK(one.out.starts_with("speeds, shard 2/3: 7 of 7 points in "));
+  words.push_back("--json");
+  CHECK(Json::parse(shards.run(words).out)["shard"] == "2/3");
+  const WithVariable outside("PBS_ARRAY_INDEX", "4");
+  const ProgramRun refused = shards.run(words);
+  CHECK(refused.status == ExitStatus::wrong_input);
+  CHECK(refused.err == "rollres: shard = auto/3: PBS_ARRAY_INDEX = 4: must be from 1 to 3\n");
 }
 
 TEST_CASE("merge names a conflict, keeps the first result and ends with status 1", "[studies][commands]") {

@@ -12,7 +12,8 @@
 #include "tests/studies/shell.hpp"
 #include "tests/studies/temporary_directory.hpp"
 
-// The Python package (module, package, stubs): what a user does with it stands in package.py.
+// The Python package (module, package, stubs): what a user does with it stands in package.py
+// and pools.py.
 
 using namespace rollres;
 
@@ -36,20 +37,21 @@ bool can_import(const std::string&) {
 }
 #endif
 
-void run_part(const std::string& part, const std::string& needs = "numpy") {
-  if (!can_import(needs)) return;
+void run_part(const std::string& part, const std::string& file = "package.py") {
+  if (!can_import("numpy")) return;
   const ShellRun run =
-      run_shell(python + shell_word((source_directory() / "tests/studies/python/package.py").string()) + " " + part);
+      run_shell(python + shell_word((source_directory() / "tests/studies/python" / file).string()) + " " + part);
   INFO(run.out);
   CHECK(run.status == 0);
 }
 
 /// Runs an example, which compares what it finds with the program's own answer.
-void run_example(const std::string& name, const std::string& needs) {
+void run_example(const std::string& name, const std::string& needs, const std::string& word = "") {
   if (!can_import(needs)) return;
   const TemporaryDirectory folder;
   const std::string file = (source_directory() / "studies/examples/python" / name).string();
-  const ShellRun run = run_shell("cd " + shell_word(folder.path.string()) + " && " + python + shell_word(file));
+  const ShellRun run =
+      run_shell("cd " + shell_word(folder.path.string()) + " && " + python + shell_word(file) + " " + word);
   INFO(run.out);
   CHECK(run.status == 0);
 }
@@ -96,6 +98,19 @@ TEST_CASE("examples for Python find what the program finds", "[studies][python][
   run_example("speed_resistance.py", "matplotlib");
   run_example("optimise_layer.py", "scipy");
   run_example("fit_cylinder.py", "lmfit");
+}
+
+TEST_CASE("answers, fields and objectives pickle to the last bit", "[studies][python][pools]") {
+  run_part("pickles", "pools.py");
+  run_part("objectives", "pools.py");
+}
+TEST_CASE("two hundred scenes by a pool are those of one process", "[studies][python][pools]") {
+  run_part("processes", "pools.py");
+}
+TEST_CASE("the example of pools works with processes, joblib and dask.distributed", "[studies][python][pools]") {
+  run_example("pools.py", "numpy", "processes");
+  run_example("pools.py", "joblib", "joblib");
+  run_example("pools.py", "dask.distributed", "dask");
 }
 
 TEST_CASE("the library, the command line, the service and Python answer the same to the last bit",

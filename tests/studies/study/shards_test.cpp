@@ -15,6 +15,7 @@
 #include "tests/plain_scene.hpp"
 #include "tests/studies/stored_rows.hpp"
 #include "tests/studies/temporary_directory.hpp"
+#include "tests/studies/with_variable.hpp"
 
 using namespace rollres;
 
@@ -87,6 +88,77 @@ TEST_CASE("a shard is named I/N, and numbers are listed as Slurm lists them", "[
     CHECK_THROWS_AS(parse_shard(wrong), std::invalid_argument);
   CHECK(array_list(std::vector<int>{}).empty());
   CHECK(array_list(std::vector<int>{3, 7, 8, 9, 11, 12, 14}) == "3,7-9,11,12,14");
+}
+
+namespace {
+
+/// No task of a queue, whatever runs the tests.
+struct NoQueue {
+  WithVariable slurm{"SLURM_ARRAY_TASK_ID", ""}, pbs{"PBS_ARRAY_INDEX", ""}, sge{"SGE_TASK_ID", ""},
+      lsf{"LSB_JOBINDEX", ""}, oar{"OAR_ARRAY_INDEX", ""}, kubernetes{"JOB_COMPLETION_INDEX", ""},
+      aws{"AWS_BATCH_JOB_ARRAY_INDEX", ""};
+};
+
+}  // namespace
+
+TEST_CASE("a queue's variable tells the shard, and shards by each are the rows of one process", "[studies][shards]") {
+  const NoQueue nothing_set;
+  const TemporaryDirectory folder;
+  Study study{.name = "speeds", .base = plain_scene(), .axes = {{"speed"}}};
+  for (int i = 0; i < 200; ++i) study.axes[0].values.push_back(0.1 * (i + 1));
+  run_sweep(study, closed_form, folder / "alone");
+  for (const auto& [name, first] : std::vector<std::pair<std::string, int>>{{"SLURM_ARRAY_TASK_ID", 1},
+                                                                            {"PBS_ARRAY_INDEX", 1},
+                                                                            {"SGE_TASK_ID", 1},
+                                                                            {"LSB_JOBINDEX", 1},
+                                                                            {"OAR_ARRAY_INDEX", 1},
+                                                                            {"JOB_COMPLETION_INDEX", 0},
+                                                                            {"AWS_BATCH_JOB_ARRAY_INDEX", 0}}) {
+    INFO(name);
+    std::size_t solved = 0;
+    const Database all = open_database(folder / name, Access::write);
+    for (int task = 0; task < 4; ++task) {
+      const std::string value = std::to_string(first + task);
+      const WithVariable set(name, value);
+      const Shard shard = parse_shard("auto/4");
+      CHECK(shard.index == task + 1);
+      CHECK(shard.count == 4);
+      CHECK(shard.variable == name + " = " + value);
+      const auto file = folder / (name + value);
+      solved += run_sweep(study, closed_form, file, {.jobs = 1, .shard = shard}).solved;
+      CHECK(merge(all, file).conflicts.empty());
+    }
+    CHECK(solved == 200);
+    CHECK(stored_rows(folder / name, study.name) == stored_rows(folder / "alone", study.name));
+    for (const int outside : {first - 1, first + 4}) {
+      if (name == "LSB_JOBINDEX" && outside == 0) continue;  // no array
+      const WithVariable set(name, std::to_string(outside));
+      CHECK_THROWS_WITH(parse_shard("auto/4"), "shard = auto/4: " + name + " = " + std::to_string(outside) +
+                                                   ": must be from " + std::to_string(first) + " to " +
+                                                   std::to_string(first + 3));
+    }
+    const WithVariable wrong(name, "1x");
+    CHECK_THROWS_AS(parse_shard("auto/4"), std::invalid_argument);
+  }
+}
+
+TEST_CASE("without a queue's index, or with two, a shard is refused", "[studies][shards]") {
+  const NoQueue nothing_set;
+  CHECK_THROWS_WITH(parse_shard("auto/4"),
+                    Catch::Matchers::Contains("no queue tells the index of a task (SLURM_ARRAY_TASK_ID, ") &&
+                        Catch::Matchers::EndsWith("submit an array of jobs, or give I/N"));
+  for (const char* const wrong : {"auto", "auto/", "auto/0", "auto/x", "auto/100001", "Auto/4"})
+    CHECK_THROWS_WITH(parse_shard(wrong), Catch::Matchers::Contains("must be I/N or auto/N"));
+  const WithVariable no_array("SGE_TASK_ID", "undefined"), none_either("LSB_JOBINDEX", "0");
+  CHECK_THROWS_WITH(parse_shard("auto/4"), Catch::Matchers::Contains("no queue tells"));
+  const WithVariable slurm("SLURM_ARRAY_TASK_ID", "3");
+  const WithVariable same("JOB_COMPLETION_INDEX", "2");
+  CHECK(parse_shard("auto/4").variable == "SLURM_ARRAY_TASK_ID = 3");
+  CHECK(parse_shard("4/4").variable.empty());
+  const WithVariable other("JOB_COMPLETION_INDEX", "1");
+  CHECK_THROWS_WITH(
+      parse_shard("auto/4"),
+      Catch::Matchers::Contains("SLURM_ARRAY_TASK_ID = 3 and JOB_COMPLETION_INDEX = 1 are different tasks"));
 }
 
 TEST_CASE("the predicted cost grows with the number of nodes and falls without friction", "[studies][shards]") {
