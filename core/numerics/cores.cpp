@@ -59,7 +59,7 @@ std::optional<double> cores_of_control_groups(const fs::path& root) {
   for (std::string line; std::getline(groups, line);) {  // NUMBER:CONTROLLERS:GROUP, of version 2 without controllers
     const std::size_t first = line.find(':'), second = line.find(':', first + 1);
     if (first == std::string::npos || second == std::string::npos) continue;
-    const std::string controllers = "," + line.substr(first + 1, second - first - 1) + ",";
+    const std::string controllers = std::string(",").append(line, first + 1, second - first - 1).append(",");
     const fs::path group = line.substr(second + 1);
     if (controllers == ",,")
       cores = std::min(cores, smallest_quota(mount, group, true));

@@ -40,11 +40,18 @@ bool same_bits(const std::vector<double>& one, const std::vector<double>& other)
   return one.size() == other.size() && (one.empty() || std::memcmp(one.data(), other.data(), 8 * one.size()) == 0);
 }
 
+bool same(const SurfaceGrid& a, const SurfaceGrid& b) {
+  const auto lengths = [](const SurfaceGrid& grid) {
+    return std::vector<double>{grid.spacing_x, grid.spacing_y, grid.origin_x, grid.origin_y};
+  };
+  return same_bits(lengths(a), lengths(b)) && a.first_column == b.first_column && a.first_row == b.first_row &&
+         a.columns == b.columns && a.rows == b.rows && a.folded == b.folded;
+}
+
 bool same(const SurfaceFields& a, const SurfaceFields& b) {
-  return std::memcmp(&a.grid, &b.grid, sizeof a.grid) == 0 && same_bits(a.u, b.u) && same_bits(a.v, b.v) &&
-         same_bits(a.w, b.w) && same_bits(a.pressure, b.pressure) && same_bits(a.shear_x, b.shear_x) &&
-         same_bits(a.shear_y, b.shear_y) && same_bits(a.slip_x, b.slip_x) && same_bits(a.slip_y, b.slip_y) &&
-         a.zone == b.zone;
+  return same(a.grid, b.grid) && same_bits(a.u, b.u) && same_bits(a.v, b.v) && same_bits(a.w, b.w) &&
+         same_bits(a.pressure, b.pressure) && same_bits(a.shear_x, b.shear_x) && same_bits(a.shear_y, b.shear_y) &&
+         same_bits(a.slip_x, b.slip_x) && same_bits(a.slip_y, b.slip_y) && a.zone == b.zone;
 }
 
 Evaluation evaluation(double speed, bool with_fields, Status status = Status::converged) {
