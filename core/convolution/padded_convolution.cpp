@@ -2,17 +2,9 @@
 
 #include <algorithm>
 
+#include "core/convolution/line_batches.hpp"
+
 namespace rollres {
-
-namespace {
-
-constexpr int batch = 8;  // rows in the cache at a time
-int batches(int rows) { return (rows + batch - 1) / batch; }
-
-/// Room of a transformed real line, an even number of values to keep the alignment.
-int line_room(PaddedSize size) { return (size.columns / 2 + 2) / 2 * 2; }
-
-}  // namespace
 
 PaddedSize padded_size(int columns, int rows, int more_columns) {
   return {good_fft_size(2 * columns + more_columns), rows > 1 ? good_fft_size(2 * rows - 1) : 1};

@@ -2,17 +2,9 @@
 
 #include <algorithm>
 
+#include "core/convolution/line_batches.hpp"
+
 namespace rollres {
-
-namespace {
-
-constexpr int rows_at_once = 8;  // in the cache
-int packs(int rows) { return (rows + rows_at_once - 1) / rows_at_once; }
-
-/// Room of a transformed real line, an even number of values to keep the alignment.
-int room_of_line(PaddedSize size) { return (size.columns / 2 + 2) / 2 * 2; }
-
-}  // namespace
 
 template <class Real>
 PlaneConvolution<Real>::PlaneConvolution(PaddedSize size)
@@ -23,8 +15,8 @@ PlaneConvolution<Real>::PlaneConvolution(PaddedSize size)
   const auto half = static_cast<std::size_t>(size.columns / 2 + 1), rows = static_cast<std::size_t>(size.rows);
   for (FftBuffer<complex>& spectrum : spectra_) spectrum = FftBuffer<complex>(half * rows);
   for (Work& work : work_) {
-    work.lines = FftBuffer<Real>(static_cast<std::size_t>(rows_at_once * size.columns));
-    work.transformed = FftBuffer<complex>(static_cast<std::size_t>(rows_at_once * room_of_line(size)));
+    work.lines = FftBuffer<Real>(static_cast<std::size_t>(batch * size.columns));
+    work.transformed = FftBuffer<complex>(static_cast<std::size_t>(batch * line_room(size)));
     for (FftBuffer<complex>& column : work.columns) column = FftBuffer<complex>(rows);
     for (FftBuffer<Real>& block : work.blocks) block = FftBuffer<Real>(2 * fields * size.quarter_rows());
   }
@@ -34,10 +26,10 @@ template <class Real>
 void PlaneConvolution<Real>::load(const Fields& in) {
   const std::array<const Vector*, fields> given{in.even, in.odd, in.second_even};
   for (std::size_t f = 0; f < fields; ++f) given_[f] = given[f] && given[f]->size() > 0;
-  const int room = room_of_line(size_), half = size_.columns / 2 + 1;
-  share_out(packs(in.rows), static_cast<int>(work_.size()), [&](int index, int slot) {
+  const int room = line_room(size_), half = size_.columns / 2 + 1;
+  share_out(batches(in.rows), static_cast<int>(work_.size()), [&](int index, int slot) {
     Work& work = work_[static_cast<std::size_t>(slot)];
-    const int row = index * rows_at_once, count = std::min(rows_at_once, in.rows - row);
+    const int row = index * batch, count = std::min(batch, in.rows - row);
     for (std::size_t f = 0; f < fields; ++f) {
       if (!given_[f]) continue;
       for (int i = 0; i < count; ++i) {
@@ -112,10 +104,10 @@ void PlaneConvolution<Real>::unload(const Results& out) {
   const std::array<Vector*, fields> wanted{out.even, out.odd, out.second_even};
   for (Vector* field : wanted)
     if (field) field->resize(static_cast<Eigen::Index>(out.columns) * out.rows);
-  const int room = room_of_line(size_), half = size_.columns / 2 + 1;
-  share_out(packs(out.rows), static_cast<int>(work_.size()), [&](int index, int slot) {
+  const int room = line_room(size_), half = size_.columns / 2 + 1;
+  share_out(batches(out.rows), static_cast<int>(work_.size()), [&](int index, int slot) {
     Work& work = work_[static_cast<std::size_t>(slot)];
-    const int row = index * rows_at_once, count = std::min(rows_at_once, out.rows - row);
+    const int row = index * batch, count = std::min(batch, out.rows - row);
     for (std::size_t f = 0; f < fields; ++f) {
       if (!wanted[f]) continue;
       for (int kx = 0; kx < half; ++kx)

@@ -16,7 +16,7 @@ namespace {
 
 constexpr std::string_view rigid = "rigid body and base", no_inertia = "no inertia", recovered_ring = "recovered ring",
                            straight_passage = "straight passage", linear_materials = "linear materials",
-                           no_heat = "no heat", plane_strain = "plane strain";
+                           plane_strain = "plane strain";
 constexpr std::array<std::string_view, 9> names{small_strains,    rigid,          no_inertia,
                                                 flat_coating,     recovered_ring, straight_passage,
                                                 linear_materials, no_heat,        plane_strain};

@@ -13,8 +13,8 @@
 
 namespace rollres {
 
-/// Names of assumptions of which warnings speak, too.
-inline constexpr std::string_view small_strains = "small strains", flat_coating = "flat coating";
+/// Names of assumptions of which others speak, too.
+inline constexpr std::string_view small_strains = "small strains", flat_coating = "flat coating", no_heat = "no heat";
 
 struct Assumption {
   std::string_view name;              ///< "small strains"
@@ -40,8 +40,8 @@ std::vector<Assumption> assumptions(const ContactModel& model, const RollingSolu
 /// The assumption of that name; null where the model does not rest on it.
 const Assumption* find_assumption(const std::vector<Assumption>& all, std::string_view name);
 
-/// Relative error of R_r by the model: all changes, each with its scatter, summed in squares; empty where one of them is
-/// not known.
+/// Relative error of R_r by the model: all changes, each with its scatter, summed in squares; empty where one of them
+/// is not known.
 std::optional<double> model_error(const std::vector<Assumption>& all);
 
 /// "small strains (d/H = 0.053): without it R_r +1.2 % +- 0.9 %"

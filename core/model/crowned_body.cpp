@@ -19,10 +19,14 @@ CrownedBody::Place CrownedBody::lowest_place() const {
   return {square * e_z * e_x / deepest, square * e_z * e_y / deepest, deepest};
 }
 
+double CrownedBody::fallen_arc(double along) const {
+  const double arc = std::sqrt(std::max(transverse_ * transverse_ - along * along, 0.0));
+  return std::min(along * along, transverse_ * transverse_) / (transverse_ + arc);
+}
+
 double CrownedBody::squared_radius(double along) const {
   if (crown_ == Crown::ellipse) return radius_ * (radius_ - along * along / transverse_);
-  const double arc = std::sqrt(std::max(transverse_ * transverse_ - along * along, 0.0));
-  return std::pow(std::max(radius_ - transverse_ + arc, 0.0), 2);
+  return std::pow(std::max(radius_ - fallen_arc(along), 0.0), 2);
 }
 
 double CrownedBody::half_slope(double along) const {
@@ -56,8 +60,7 @@ double CrownedBody::profile(double x, double y) const {
   if (axle_[2] != 0) return lowest_.depth - h;
   // Without the cancellation of R - h: (R^2 - h^2)/(R + h).
   const double along = axle_[0] * x + axle_[1] * y, across = axle_[1] * x - axle_[0] * y;
-  const double arc = std::sqrt(std::max(transverse_ * transverse_ - along * along, 0.0));
-  const double lower = std::min(along * along, transverse_ * transverse_) / (transverse_ + arc);
+  const double lower = fallen_arc(along);
   const double fallen =
       crown_ == Crown::ellipse ? along * along * radius_ / transverse_ : lower * (2 * radius_ - lower);
   return (fallen + across * across) / (radius_ + h);

@@ -32,6 +32,7 @@ class CrownedBody {
 
  private:
   double held() const { return 1e-2 * radius_; }
+  double fallen_arc(double along) const;      // R - rho of a circle, up to the arc's end [m]
   double squared_radius(double along) const;  // rho^2, < 0 beyond an ellipsoid [m2]
   double half_slope(double along) const;      // (rho^2)'/2 [m]
   Place lowest_place() const;

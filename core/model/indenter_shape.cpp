@@ -22,10 +22,9 @@ LeverArm IndenterShape::driving_force(double x, double y) const {
 }
 
 LeverArm IndenterShape::resisting_force(double x, double y) const {
-  LeverArm arm = driving_force(x, y);
-  if (kinematics_ == Kinematics::printed) return arm;
+  if (kinematics_ == Kinematics::printed) return driving_force(x, y);
   const RigidSlip rigid = slip(x, y);
-  return {arm.of_pressure, rigid.forward, rigid.forward_y};
+  return {slope(x, y), rigid.forward, rigid.forward_y};
 }
 
 LeverArm IndenterShape::side_force(double x, double y) const {

@@ -43,14 +43,13 @@ void check_turning(const RollingScene& scene, MotionLines& lines) {
   if (scene.skew_angle && scene.lateral_force)
     lines.push_back(refused("lateral_force", *scene.lateral_force, "give skew_angle or lateral_force, not both"));
   if (round && scene.axial_force) lines.push_back(refused("axial_force", *scene.axial_force, "only for a cylinder"));
-  const std::string sphere_alone = "only for a sphere";
   if (!round && scene.lateral_force)
     lines.push_back(refused("lateral_force", *scene.lateral_force, "only for a sphere or roller"));
   // Turning along the path does work on a body that is no sphere, which the straight passage does not have.
-  const bool ball = scene.indenter == Indenter::sphere;
   if (!round && scene.camber_angle != 0)
     lines.push_back(refused("camber_angle", scene.camber_angle, "only for a sphere or roller"));
-  if (!ball && scene.pivot != 0) lines.push_back(refused("pivot", scene.pivot, sphere_alone));
+  if (scene.indenter != Indenter::sphere && scene.pivot != 0)
+    lines.push_back(refused("pivot", scene.pivot, "only for a sphere"));
   const std::string key = turning_input(scene);
   if (key.empty()) return;
   const auto only = [&](bool met, const std::string& rule) {

@@ -6,6 +6,7 @@
 #include <optional>
 #include <utility>
 
+#include "core/estimate/assumptions.hpp"
 #include "core/estimate/grid_choice.hpp"
 #include "core/heat/loss_estimate.hpp"
 #include "core/heat/loss_with_depth.hpp"
@@ -116,7 +117,7 @@ class HeatBalanceSolution {
     solution.fourier = numbers.fourier;
     solution.biot = numbers.biot;
     for (const SteadyTemperature& state : states) solution.temperatures.push_back(state.temperature);
-    std::erase_if(solution.assumptions, [](const std::string& one) { return one.starts_with("no heat"); });
+    std::erase_if(solution.assumptions, [](const std::string& one) { return one.starts_with(no_heat); });
     solution.model += message_text<6>("; the warmed layers at ", solution.mean_temperature,
                                       " K, the mean by their own loss, found in ", answers_.size(),
                                       answers_.size() == 1 ? " solution" : " solutions at one temperature each");

@@ -7,6 +7,7 @@
 #include "core/model/scene_rules.hpp"
 #include "core/solve/rolling_contact.hpp"
 #include "tests/catch.hpp"
+#include "tests/core/converged.hpp"
 #include "tests/core/paper_scenes.hpp"
 
 using namespace rollres;
@@ -23,22 +24,15 @@ RollingScene crowned(double transverse_radius, Crown crown = Crown::circle) {
   return scene;
 }
 
-RollingSolution answer_of_roller(const RollingScene& scene) {
-  RollingSolution found = solve(scene);
-  INFO(found.reason);
-  REQUIRE(found.status == Status::converged);
-  return found;
-}
-
 }  // namespace
 
 TEST_CASE("a crown of the roller's own radius makes it a sphere", "[core][roller]") {
   RollingScene sphere = crowned(0.02);
   sphere.indenter = Indenter::sphere;
   sphere.transverse_radius.reset();
-  const RollingSolution wanted = answer_of_roller(sphere);
+  const RollingSolution wanted = converged(sphere);
   for (const Crown crown : {Crown::circle, Crown::ellipse}) {
-    const RollingSolution found = answer_of_roller(crowned(0.02, crown));
+    const RollingSolution found = converged(crowned(0.02, crown));
     CHECK(found.rolling_resistance == Approx(wanted.rolling_resistance).epsilon(1e-9));
     CHECK(found.rotation_ratio == Approx(wanted.rotation_ratio).epsilon(1e-10));
     CHECK(found.approach == Approx(wanted.approach).epsilon(1e-10));
@@ -64,7 +58,7 @@ TEST_CASE("a crowned roller on an elastic half-space presses as Hertz says of an
       scene.inertia = Inertia::off;
       scene.friction_coefficient = 0;
       scene.load = 2.0 / 3 * M_PI * minor * major * largest;
-      const RollingSolution found = answer_of_roller(scene);
+      const RollingSolution found = converged(scene);
       INFO(ratio << (across ? " across" : " along") << ", R = " << scene.radius);
       CHECK(found.approach == Approx(largest * minor * k / elastic).epsilon(2e-3));
       CHECK(found.peak_pressure == Approx(largest).epsilon(3e-3));
@@ -82,14 +76,14 @@ TEST_CASE("the middle of a long crown presses as a cylinder", "[core][roller]") 
   line.load.reset();
   line.approach = 0.3e-3;
   line.friction_coefficient = 0;  // with it the whole roller decides how fast it turns
-  const RollingSolution wanted = answer_of_roller(line);
+  const RollingSolution wanted = converged(line);
   double before = INFINITY;
   for (const double transverse : {0.2, 2.0, 20.0, 200.0}) {
     RollingScene scene = crowned(transverse);
     scene.load.reset();
     scene.approach = line.approach;
     scene.friction_coefficient = 0;
-    const RollingSolution found = answer_of_roller(scene);
+    const RollingSolution found = converged(scene);
     const double apart = std::abs(found.peak_pressure / wanted.peak_pressure - 1);
     INFO(transverse);
     CHECK(apart < before);
@@ -108,7 +102,7 @@ TEST_CASE("a cambered crown touches beside the middle as the body of revolution 
     scene.inertia = Inertia::off;
     scene.friction_coefficient = 0;
     scene.load = 4;
-    return answer_of_roller(scene);
+    return converged(scene);
   };
   RollingScene leaning = crowned(transverse);
   leaning.camber_angle = camber;
@@ -133,11 +127,11 @@ TEST_CASE("under camber a crown of the roller's own radius is a cambered sphere"
   sphere.indenter = Indenter::sphere;
   sphere.transverse_radius.reset();
   sphere.camber_angle = 0.15;
-  const RollingSolution wanted = answer_of_roller(sphere);
+  const RollingSolution wanted = converged(sphere);
   for (const Crown crown : {Crown::circle, Crown::ellipse}) {
     RollingScene scene = crowned(0.02, crown);
     scene.camber_angle = 0.15;
-    const RollingSolution found = answer_of_roller(scene);
+    const RollingSolution found = converged(scene);
     CHECK(found.lateral_force == Approx(wanted.lateral_force).epsilon(1e-6));
     CHECK(found.spin_moment == Approx(wanted.spin_moment).epsilon(1e-6));
     CHECK(found.rolling_resistance == Approx(wanted.rolling_resistance).epsilon(1e-3));  // the sphere's has its edge
@@ -151,9 +145,9 @@ TEST_CASE("a cambered crowned roller balances its power to second order in the c
     scene.camber_angle = 0.1;
     scene.skew_angle = 0.02;
     scene.spacing = 0.3e-3;
-    const double coarse = answer_of_roller(scene).energy_residual;
+    const double coarse = converged(scene).energy_residual;
     scene.spacing = 0.15e-3;
-    const double fine = answer_of_roller(scene).energy_residual;
+    const double fine = converged(scene).energy_residual;
     CHECK(coarse < 1e-2);
     CHECK(fine < 0.5 * coarse);
   }
@@ -163,11 +157,11 @@ TEST_CASE("a skewed crowned roller balances its power and is its own mirror imag
   RollingScene scene = crowned(0.06);
   scene.drive = Drive::free;
   scene.skew_angle = 0.03;
-  const RollingSolution left = answer_of_roller(scene);
+  const RollingSolution left = converged(scene);
   CHECK(left.energy_residual < 2e-3);
   CHECK(left.lateral_force < 0);
   scene.skew_angle = -0.03;
-  const RollingSolution right = answer_of_roller(scene);
+  const RollingSolution right = converged(scene);
   CHECK(right.rolling_resistance == Approx(left.rolling_resistance).epsilon(1e-9));
   CHECK(right.lateral_force == Approx(-left.lateral_force).epsilon(1e-8));
   CHECK(right.spin_moment == Approx(-left.spin_moment).epsilon(1e-7));

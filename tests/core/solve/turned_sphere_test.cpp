@@ -6,6 +6,7 @@
 #include "core/model/scene_rules.hpp"
 #include "core/solve/rolling_contact.hpp"
 #include "tests/catch.hpp"
+#include "tests/core/converged.hpp"
 #include "tests/core/paper_scenes.hpp"
 
 using namespace rollres;
@@ -29,24 +30,18 @@ RollingScene turned(double skew, double camber, double pivot) {
   return scene;
 }
 
-RollingSolution turned_answer(const RollingScene& scene) {
-  RollingSolution found = solve(scene);
-  INFO(found.reason);
-  REQUIRE(found.status == Status::converged);
-  return found;
-}
-
 }  // namespace
 
 TEST_CASE("the paper's sphere with skew, camber or pivot takes what another program found", "[core][turned]") {
   struct Known {
     double skew, camber, pivot, resistance, force, moment, friction;  // [N], [N], [N m], [N]
   };
-  for (const Known& known : {Known{1, 0, 0, 3.290, -12.01, 9.92e-3, 0.177}, {0, 10, 0, 3.375, 11.78, 33.00e-3, 0.211},
+  for (const Known& known : {Known{1, 0, 0, 3.290, -12.01, 9.92e-3, 0.177},
+                             {0, 10, 0, 3.375, 11.78, 33.00e-3, 0.211},
                              {0, 0, 20, 4.196, 20.03, 56.4e-3, 0.849}}) {
     RollingScene scene = turned(known.skew * one_degree, known.camber * one_degree, known.pivot);
     scene.spacing = 0.125e-3;
-    const RollingSolution found = turned_answer(scene);
+    const RollingSolution found = converged(scene);
     INFO(known.skew << "° " << known.camber << "° " << known.pivot << " 1/m");
     CHECK(found.rolling_resistance == Approx(known.resistance).epsilon(1e-3));
     CHECK(found.lateral_force == Approx(known.force).epsilon(5e-3));
@@ -66,7 +61,7 @@ TEST_CASE("turned the other way a sphere is its own mirror image", "[core][turne
   *other.skew_angle *= -1;
   other.camber_angle *= -1;
   other.pivot *= -1;
-  const RollingSolution left = turned_answer(scene), right = turned_answer(other);
+  const RollingSolution left = converged(scene), right = converged(other);
   CHECK(right.rolling_resistance == Approx(left.rolling_resistance).epsilon(1e-10));
   CHECK(right.lateral_force == Approx(-left.lateral_force).epsilon(1e-9));
   CHECK(right.spin_moment == Approx(-left.spin_moment).epsilon(1e-9));
@@ -89,7 +84,7 @@ TEST_CASE("a sphere under camber is the straight one with as much spin", "[core]
   for (RollingScene* const scene : {&leaning, &pivoting}) scene->drive = Drive::rotation;
   leaning.rotation_ratio = turning;
   pivoting.rotation_ratio = turning * std::cos(camber);
-  const RollingSolution one = turned_answer(leaning), other = turned_answer(pivoting);
+  const RollingSolution one = converged(leaning), other = converged(pivoting);
   CHECK(one.rolling_resistance == Approx(other.rolling_resistance).epsilon(1e-10));
   CHECK(one.lateral_force == Approx(other.lateral_force).epsilon(1e-10));
   CHECK(one.spin_moment == Approx(other.spin_moment).epsilon(1e-10));
@@ -97,14 +92,14 @@ TEST_CASE("a sphere under camber is the straight one with as much spin", "[core]
 }
 
 TEST_CASE("without an angle the whole grid answers as the folded one", "[core][turned]") {
-  const RollingSolution straight = turned_answer(free_sphere());
+  const RollingSolution straight = converged(free_sphere());
   CHECK(std::isnan(straight.lateral_force));
-  const RollingSolution whole = turned_answer(turned(1e-13, 0, 0));
+  const RollingSolution whole = converged(turned(1e-13, 0, 0));
   CHECK(whole.rolling_resistance == Approx(straight.rolling_resistance).epsilon(1e-9));
   CHECK(whole.rotation_ratio == Approx(straight.rotation_ratio).epsilon(1e-7));
   CHECK(whole.contact_nodes == straight.contact_nodes);
   CHECK(std::abs(whole.lateral_force) < 1e-8);
-  const RollingSolution asked = turned_answer(turned(0, 0, 0));
+  const RollingSolution asked = converged(turned(0, 0, 0));
   CHECK(asked.rolling_resistance == straight.rolling_resistance);
   CHECK(asked.lateral_force == 0);
   CHECK(asked.skew_angle == 0);
@@ -113,11 +108,11 @@ TEST_CASE("without an angle the whole grid answers as the folded one", "[core][t
 TEST_CASE("a lateral force that is given finds its skew, beside any camber", "[core][turned]") {
   for (RollingScene scene : {turned(1.5 * one_degree, 0, 0), turned(-1 * one_degree, 6 * one_degree, 0)}) {
     scene.spacing = 0.4e-3;
-    const RollingSolution found = turned_answer(scene);
+    const RollingSolution found = converged(scene);
     RollingScene back = scene;
     back.skew_angle.reset();
     back.lateral_force = found.lateral_force;
-    const RollingSolution again = turned_answer(back);
+    const RollingSolution again = converged(back);
     CHECK(again.skew_angle == Approx(*scene.skew_angle).epsilon(1e-6));
     CHECK(again.rolling_resistance == Approx(found.rolling_resistance).epsilon(1e-8));
     CHECK(again.lateral_force == found.lateral_force);
@@ -129,7 +124,8 @@ TEST_CASE("a lateral force that is given finds its skew, beside any camber", "[c
   CHECK_THAT(solve(too_much).reason, Catch::Matchers::Contains("lateral_force = 40: friction bears "));
 }
 
-TEST_CASE("small creepages and spin of a sphere on an elastic half-space meet Kalker's coefficients", "[core][turned]") {
+TEST_CASE("small creepages and spin of a sphere on an elastic half-space meet Kalker's coefficients",
+          "[core][turned]") {
   // At a = b, nu = 1/2, extrapolated by another program: C22 3.989, C23 1.634, C33 1.165. One body yields alone, which
   // doubles the modulus. Slip leaves the first order: mu is large.
   constexpr double radius = 1, half_width = 2e-3, modulus = 1e6, small = 1e-6;
@@ -146,10 +142,10 @@ TEST_CASE("small creepages and spin of a sphere on an elastic half-space meet Ka
   constexpr double scale = 2 * modulus * half_width * half_width * small;
   scene.spacing = half_width / 34;
   scene.skew_angle = -small;
-  CHECK(turned_answer(scene).lateral_force / scale == Approx(3.989).epsilon(3e-3));
+  CHECK(converged(scene).lateral_force / scale == Approx(3.989).epsilon(3e-3));
   scene.skew_angle.reset();
   scene.pivot = small / half_width;
-  const RollingSolution spun = turned_answer(scene);
+  const RollingSolution spun = converged(scene);
   CHECK(spun.lateral_force / scale == Approx(1.634).epsilon(1e-2));
   CHECK(spun.spin_moment / (scale * half_width) == Approx(1.165).epsilon(4e-3));
 }
