@@ -32,7 +32,21 @@ install(TARGETS rollres_ceres LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR}/rollre
 install(DIRECTORY studies/examples studies/schema DESTINATION ${CMAKE_INSTALL_DATADIR}/rollres COMPONENT program)
 install(FILES README.md CITATION.cff ${written}/changelog.gz ${written}/changelog.Debian.gz DESTINATION ${CMAKE_INSTALL_DOCDIR} COMPONENT program)
 install(FILES studies/guide.md studies/recipes.md studies/keys.md DESTINATION ${CMAKE_INSTALL_DOCDIR}/studies COMPONENT program)
-install(FILES LICENSE DESTINATION ${CMAKE_INSTALL_DOCDIR} RENAME copyright COMPONENT program)
+# What is handed on is more than the sources: their licence is LICENSE, that of the binary is told above it.
+file(READ LICENSE licence)
+file(CONFIGURE OUTPUT ${written}/copyright @ONLY CONTENT "This binary is linked with FFTW and, for fits, with CHOLMOD, which are under the
+GNU General Public License (version 2 or later): as a whole it may be handed on
+under the terms of /usr/share/common-licenses/GPL-2 or later only. `rollres
+--version --json` names all libraries. The sources of rollres are under the MIT
+licence:
+
+@licence@")
+install(FILES ${written}/copyright DESTINATION ${CMAKE_INSTALL_DOCDIR} COMPONENT program)
+
+add_custom_target(portable COMMAND sh ${CMAKE_SOURCE_DIR}/studies/portable.sh ${CMAKE_BINARY_DIR} DEPENDS rollres rollres_ceres)
+if(TARGET rollres_python)
+  add_dependencies(portable rollres_python)
+endif()
 
 # rollres::scene_io, for programs that read scene files as this one does.
 set_target_properties(rollres_scene_io PROPERTIES EXPORT_NAME scene_io)
@@ -77,7 +91,7 @@ if(TARGET rollres_python)
   set(CPACK_DEBIAN_PYTHON_PACKAGE_RECOMMENDS "python3-pandas")
   set(CPACK_DEBIAN_PYTHON_DESCRIPTION "rollres as a Python module: scenes, fields as arrays of numpy, many scenes by
 threads, gradients for optimisers, studies, fits and stored results.")
-  install(FILES LICENSE DESTINATION ${CMAKE_INSTALL_DATADIR}/doc/python3-rollres RENAME copyright COMPONENT python)
+  install(FILES ${written}/copyright DESTINATION ${CMAKE_INSTALL_DATADIR}/doc/python3-rollres COMPONENT python)
   install(FILES ${written}/changelog.gz ${written}/changelog.Debian.gz DESTINATION ${CMAKE_INSTALL_DATADIR}/doc/python3-rollres COMPONENT python)
 endif()
 set(CPACK_COMPONENTS_ALL ${components})

@@ -7,7 +7,7 @@
 namespace rollres {
 
 struct Provenance {
-  std::string version;   ///< of the program: "0.1.0"
+  std::string version;   ///< of the program: "1.0.0"
   std::string git_hash;  ///< commit it was built from, "-dirty" if files were changed; "unknown" outside a repository
   std::string solver;  ///< digest of the sources that decide on answers (db/provenance.cmake): as long as it stays, so
                        ///< do the numbers

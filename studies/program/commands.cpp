@@ -5,12 +5,14 @@
 #include <ostream>
 #include <stdexcept>
 
+#include <nlohmann/json.hpp>
+
 #include "studies/program/completion.hpp"
 #include "studies/text/printable.hpp"
 #include "studies/text/words.hpp"
 
 #ifndef ROLLRES_VERSION
-#define ROLLRES_VERSION "0.1.0"
+#define ROLLRES_VERSION "1.0.0"
 #endif
 
 namespace rollres {
@@ -34,6 +36,25 @@ const std::vector<CommandGroup>& command_groups() {
       {"For programs and editors", {add_serve, add_schema, add_quantities, add_manual, add_completion}},
   };
   return groups;
+}
+
+/// The program, and the libraries that a copy of it hands on (studies/libraries.cmake), as JSON.
+std::string version_and_libraries() {
+  struct Library {
+    const char *name, *version, *licence;
+  };
+  constexpr Library known[] = {
+#include "libraries.inc"
+  };
+  nlohmann::ordered_json libraries = nlohmann::ordered_json::array();
+  for (const Library& library : known)
+    libraries.push_back({{"name", library.name}, {"version", library.version}, {"licence", library.licence}});
+  const nlohmann::ordered_json all{{"program", "rollres"},
+                                   {"version", ROLLRES_VERSION},
+                                   {"licence_of_sources", "MIT"},
+                                   {"licence_of_binary", "GPL-2.0-or-later, as FFTW and CHOLMOD are part of it"},
+                                   {"libraries", libraries}};
+  return all.dump(2);
 }
 
 constexpr const char* unwritable = "standard output: cannot be written";
@@ -68,8 +89,9 @@ int run_program(std::vector<std::string> words, Session session) {
   try {
     if (words.empty()) words = {"--help"};
     if (words.front() == "version") words.front() = "--version";
-    if (words == std::vector<std::string>{"--version"}) {  // without declaring all commands first
-      session.out << version << std::endl;
+    const bool as_json = words == std::vector<std::string>{"--version", "--json"};
+    if (as_json || words == std::vector<std::string>{"--version"}) {  // without declaring all commands first
+      session.out << (as_json ? version_and_libraries() : version) << std::endl;
       return session.out ? ExitStatus::answered : complain(session, unwritable, ExitStatus::failure);
     }
     Command program("rollres", "Rolling resistance of a rigid cylinder or sphere over a viscoelastic layer.", version);

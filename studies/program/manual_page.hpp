@@ -19,7 +19,7 @@ struct ManualSection {
 };
 
 /// The page as man reads it (groff's macros "man"), in UTF-8.
-/// @param version "rollres 0.1.0"
+/// @param version "rollres 1.0.0"
 /// @param files  what may stand in files
 std::string manual_page(const CommandWords& program, const std::string& version,
                         const std::vector<ManualSection>& files = {});

@@ -215,7 +215,16 @@ TEST_CASE("every command explains itself with an example", "[studies][commands]"
     CHECK(run.status == 0);
     CHECK(run.out.find("Example: rollres " + name) != std::string::npos);
   }
-  CHECK(run_rollres({"--version"}, made_up).out.starts_with("rollres "));
+  CHECK(run_rollres({"--version"}, made_up).out == "rollres 1.0.0\n");
+  // Fails if a library lacks its version or licence: who hands the program on has to know them.
+  const json handed_on = json::parse(run_rollres({"--version", "--json"}, made_up).out);
+  CHECK(handed_on["version"] == "1.0.0");
+  REQUIRE(handed_on["libraries"].size() > 10);
+  for (const json& library : handed_on["libraries"])
+    for (const char* key : {"name", "version", "licence"}) {
+      INFO(library.dump());
+      CHECK(!library.at(key).get<std::string>().empty());
+    }
 }
 
 TEST_CASE("quantities lists every input and output with unit, values and meaning", "[studies][commands]") {
