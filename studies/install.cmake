@@ -35,8 +35,8 @@ install(FILES studies/guide.md studies/recipes.md studies/keys.md DESTINATION ${
 # What is handed on is more than the sources: their licence is LICENSE, that of the binary is told above it.
 file(READ LICENSE licence)
 file(CONFIGURE OUTPUT ${written}/copyright @ONLY CONTENT "This binary is linked with FFTW and, for fits, with CHOLMOD, which are under the
-GNU General Public License (version 2 or later): as a whole it may be handed on
-under the terms of /usr/share/common-licenses/GPL-2 or later only. `rollres
+GNU General Public License (version 2 or later), and with oneTBB (Apache 2.0): as
+a whole it may be handed on under /usr/share/common-licenses/GPL-3 only. `rollres
 --version --json` names all libraries. The sources of rollres are under the MIT
 licence:
 

@@ -52,7 +52,7 @@ std::string version_and_libraries() {
   const nlohmann::ordered_json all{{"program", "rollres"},
                                    {"version", ROLLRES_VERSION},
                                    {"licence_of_sources", "MIT"},
-                                   {"licence_of_binary", "GPL-2.0-or-later, as FFTW and CHOLMOD are part of it"},
+                                   {"licence_of_binary", "GPL-3.0-or-later"},
                                    {"libraries", libraries}};
   return all.dump(2);
 }
