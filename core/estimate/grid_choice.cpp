@@ -21,22 +21,53 @@ ContactEstimate elastic_contact(const ContactModel& model, double modulus) {
 
 /// That of the sphere with the mean curvature, drawn out: half-widths go with the radii to the power 1/2 over a thin
 /// layer, to about 2/3 on a half-space.
-ContactEstimate estimate_of_roller(ContactModel model) {
+ContactEstimate estimate_of_crown(ContactModel model, double transverse_radius) {
   constexpr double power = 0.6;
-  const double ratio = *model.transverse_radius / model.radius;
-  model.radius = std::sqrt(model.radius * *model.transverse_radius);
-  model.transverse_radius.reset();
+  const double ratio = transverse_radius / model.radius;
+  model.radius = std::sqrt(model.radius * transverse_radius);
+  model.outline.reset();
   ContactEstimate estimate = estimate_contact(model);
   estimate.elongation = std::pow(ratio, power);
   estimate.half_width /= std::sqrt(estimate.elongation);
   return estimate;
 }
 
+/// Half the length along the axle over which a body is lower than so high above its lowest point [m].
+double half_length_below(const IndenterShape& shape, double reach, double height) {
+  constexpr int places = 400;
+  const auto [x, y] = shape.lowest();
+  int below = 0;
+  for (int i = 0; i <= places; ++i) below += shape.profile(x, y + reach * (2.0 * i / places - 1)) < height ? 1 : 0;
+  return reach * std::max(below, 1) / places;
+}
+
+/// That of the crown which reaches as far to the sides where it is as high as the ends of the contact.
+ContactEstimate estimate_of_profile(const ContactModel& model) {
+  const IndenterShape shape(model);
+  const double reach = model.outline->reach();
+  double transverse = model.radius;
+  ContactEstimate estimate{};
+  constexpr int passes = 12;
+  for (int pass = 0; pass < passes; ++pass) {
+    estimate = estimate_of_crown(model, transverse);
+    const double half_width = std::min(estimate.half_width, model.radius),
+                 height = 0.5 * half_width * half_width / model.radius;
+    const double aside = half_length_below(shape, reach, height) / half_width;
+    transverse = std::sqrt(transverse * model.radius) * aside;  // half the way, in its logarithm
+  }
+  return estimate;
+}
+
+ContactEstimate estimate_of_roller(const ContactModel& model) {
+  return model.outline->is_profile() ? estimate_of_profile(model)
+                                     : estimate_of_crown(model, model.outline->transverse_radius());
+}
+
 }  // namespace
 
 ContactEstimate estimate_contact(const ContactModel& model) {
   if (model.estimate) return *model.estimate;
-  if (model.transverse_radius) return estimate_of_roller(model);
+  if (model.outline) return estimate_of_roller(model);
   if (model.composite()) return composite_estimate(model);
   const CreepSpectrum& creep = model.top().creep;
   ContactEstimate estimate = elastic_contact(model, 1 / creep.at_rest());
@@ -55,6 +86,14 @@ double default_spacing(const ContactModel& model) {
   const double nodes_per_half_width = model.dimension == 2 ? 60 : 20;
   const ContactEstimate estimate = estimate_contact(model);
   return std::min(estimate.half_width * std::min(estimate.elongation, 1.0), model.radius) / nodes_per_half_width;
+}
+
+double cells_for_hollows(const ContactModel& model) {
+  if (!model.outline) return 0;
+  constexpr double share = 0.1, cells_on_flank = 4;
+  const ContactEstimate estimate = estimate_contact(model);
+  const double depth = 0.5 * estimate.half_width * estimate.half_width / model.radius;
+  return cells_on_flank * estimate.half_width * estimate.elongation / model.outline->shortest_flank(share * depth);
 }
 
 void require_nodes(double columns, double rows, double spacing) {

@@ -21,6 +21,10 @@ double share_of_coating(const ContactModel& model);
 /// tolerance, a first spacing from which to refine.
 double default_spacing(const ContactModel& model);
 
+/// Cells that the flanks of a profile's hollows ask for on the half-width of the contact across the motion, of hollows
+/// a tenth as deep as the contact or deeper; 0: no profile, or none.
+double cells_for_hollows(const ContactModel& model);
+
 /// @throws BeyondLimits if a half grid of so many nodes takes more memory than the solution may (solution_limits.hpp)
 void require_nodes(double columns, double rows, double spacing);
 
@@ -37,11 +41,9 @@ SurfaceGrid window(const ContactModel& model, double spacing, double half_width,
 inline double widest_window(const ContactModel& model) { return 0.98 * model.radius; }
 /// The same across the motion.
 inline double widest_across(const ContactModel& model) {
-  if (!model.transverse_radius) return widest_window(model);
-  const double across = *model.transverse_radius;
-  return 0.98 * (model.crown == Crown::ellipse ? std::sqrt(model.radius * across)
-                 : across > model.radius       ? std::sqrt(model.radius * (2 * across - model.radius))
-                                               : across);
+  if (!model.outline) return widest_window(model);
+  // Beside a profile there is room for what shows that its end is in contact.
+  return model.outline->is_profile() ? 2 * model.outline->reach() : 0.98 * model.outline->reach();
 }
 
 }  // namespace rollres

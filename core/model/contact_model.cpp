@@ -1,4 +1,5 @@
 #include "core/model/contact_model.hpp"
+#include "core/model/motion_rules.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -47,6 +48,14 @@ std::optional<double> per_metre(std::optional<double> of_body, const RollingScen
   return of_body;
 }
 
+std::optional<RollerOutline> outline_of(const RollingScene& scene) {
+  if (scene.indenter == Indenter::roller && scene.transverse_radius)
+    return RollerOutline(scene.radius, *scene.transverse_radius, scene.crown);
+  if (scene.indenter == Indenter::profile && profile_fault(scene).empty())
+    return RollerOutline(scene.radius, scene.profile_places, scene.profile_heights);
+  return std::nullopt;
+}
+
 BondedLayer first_layer(const RollingScene& scene) {
   BondedLayer layer;
   static_cast<MaterialInputs&>(layer) = scene;
@@ -66,8 +75,7 @@ ContactModel::ContactModel(const RollingScene& scene)
     : indenter(scene.indenter),
       dimension(dimension_of(scene.indenter)),
       radius(scene.radius),
-      transverse_radius(scene.transverse_radius),
-      crown(scene.crown),
+      outline(outline_of(scene)),
       width(scene.width),
       kinematics(scene.kinematics),
       speed(scene.speed),

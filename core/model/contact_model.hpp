@@ -15,6 +15,7 @@
 #include <vector>
 
 #include "core/material/material.hpp"
+#include "core/model/roller_outline.hpp"
 #include "core/scene/scene.hpp"
 #include "core/scene/solution.hpp"
 #include "core/surface/layer_compliance.hpp"
@@ -44,11 +45,10 @@ struct ContactModel {
   ContactModel(const RollingScene& scene);
 
   Indenter indenter;
-  int dimension;                            // 2: per metre of length, no y; or 3
-  double radius;                            // R [m]
-  std::optional<double> transverse_radius;  // of a roller's crown [m]
-  Crown crown;                              // its outline
-  std::optional<double> width;              // of a cylinder whose load is told in N [m]; the rest here is per metre
+  int dimension;                         // 2: per metre of length, no y; or 3
+  double radius;                         // R [m]
+  std::optional<RollerOutline> outline;  // of a roller
+  std::optional<double> width;           // of a cylinder whose load is told in N [m]; the rest here is per metre
   Kinematics kinematics;
 
   double speed;                          // V; of a skewed cylinder V cos a, square to its axle [m/s]
@@ -91,9 +91,8 @@ struct ContactModel {
   bool skewed() const { return dimension == 2 && (skew != 0 || side_force); }
   /// Whether the contact is its own mirror image in y. The model of a sphere is in the frame of the travel.
   bool mirrored() const {
-    const bool round = !transverse_radius;  // whatever turns it without friction
-    return dimension == 2 || (friction_coefficient == 0 && round) ||
-           (skew == 0 && camber == 0 && pivot == 0 && !side_force);
+    if (dimension == 2 || (friction_coefficient == 0 && !outline)) return true;  // whatever turns a round one
+    return skew == 0 && camber == 0 && pivot == 0 && !side_force && (!outline || outline->even());
   }
   /// Unit vector along the axle, to its left end.
   std::array<double, 3> axle() const;

@@ -83,7 +83,7 @@ double IndenterShape::curvature(double x, double y) const {
   const double q = height(x, y);
   // rho^2/q^3, in the frame of the travel
   const double slope_x = slope(x, y);
-  if (crowned_) return (1 + slope_x * slope_x) / q;
+  if (roller_) return (1 + slope_x * slope_x) / q;
   return (1 - bent_) * (radius_ * radius_ - y * y) / (q * q * q) + bent_ * std::cos(x / radius_) / radius_;
 }
 

@@ -5,7 +5,7 @@
 ///
 /// The body touches the surface first at (0, 0). With q(x, y) the height of its centre above its lower surface, its
 /// profile is B = R - q, with slopes b = -grad q: a cylinder has q^2 = R^2 - x^2, a sphere R^2 - x^2 - y^2, a roller
-/// that of crowned_body.hpp, which touches first where its crown is lowest.
+/// that of roller_body.hpp, which touches first where its outline is lowest.
 ///
 /// The layer feels the vertical pressure p and the shear (tau_x, tau_y) on each unit of its undeformed area; it moves
 /// by w, u, v. Load P, driving force Q and torque T are integrals of lever arms times p, tau_x and tau_y; the slip of
@@ -53,7 +53,7 @@
 #include <optional>
 
 #include "core/model/contact_model.hpp"
-#include "core/model/crowned_body.hpp"
+#include "core/model/roller_body.hpp"
 
 namespace rollres {
 
@@ -81,30 +81,30 @@ class IndenterShape {
         sideways_(model.skewed() ? -model.skew : 0),
         pivot_(model.pivot),
         axle_(flat_in_y_ ? std::array{0.0, 1.0, 0.0} : model.axle()) {
-    if (model.transverse_radius) crowned_.emplace(radius_, *model.transverse_radius, model.crown, axle_);
+    if (model.outline) roller_.emplace(*model.outline, axle_);
   }
 
   double radius() const { return radius_; }  // R [m]
   /// Whether there is a lower surface above this place.
-  bool covers(double x, double y) const { return crowned_ ? crowned_->covers(x, y) : fallen(x, y) < radius_ * radius_; }
-  /// The lowest point of the body, below its middle but for a roller under camber [m].
+  bool covers(double x, double y) const { return roller_ ? roller_->covers(x, y) : fallen(x, y) < radius_ * radius_; }
+  /// The lowest point of the body, below its middle but for a roller whose crown or profile is lowest elsewhere [m].
   std::array<double, 2> lowest() const {
-    return crowned_ ? std::array{crowned_->lowest().x, crowned_->lowest().y} : std::array{0.0, 0.0};
+    return roller_ ? std::array{roller_->lowest().x, roller_->lowest().y} : std::array{0.0, 0.0};
   }
   /// q(x, y), held at R/100 beyond the body so that grids may be wider [m].
   double height(double x, double y = 0) const {
-    if (crowned_) return crowned_->depth(x, y);
+    if (roller_) return roller_->depth(x, y);
     return std::sqrt(std::max(radius_ * radius_ - fallen(x, y), 1e-4 * radius_ * radius_));
   }
   /// Height of the lower surface above its lowest point, without the cancellation of R - q [m].
   double profile(double x, double y = 0) const {
-    if (crowned_) return crowned_->profile(x, y);
+    if (roller_) return roller_->profile(x, y);
     const double flat = (1 - bent_) * fallen(x, y) / (radius_ + height(x, y)), sine = std::sin(0.5 * x / radius_);
     return bent_ == 0 ? flat : flat + bent_ * 2 * radius_ * sine * sine;
   }
   /// Its derivative along x [1].
   double slope(double x, double y = 0) const {
-    if (crowned_) return crowned_->slopes(x, y)[0];
+    if (roller_) return roller_->slopes(x, y)[0];
     const double flat = (1 - bent_) * x / height(x, y);
     return bent_ == 0 ? flat : flat + bent_ * std::sin(x / radius_);
   }
@@ -149,7 +149,7 @@ class IndenterShape {
   /// Of a consistent body's surface: (1 + (1 - k) b b^T) times a horizontal vector.
   std::array<double, 2> along_surface(double x, double y, double of_x, double of_y) const;
   double slope_across(double x, double y) const {  // b_y
-    return flat_in_y_ ? 0 : crowned_ ? crowned_->slopes(x, y)[1] : y / height(x, y);
+    return flat_in_y_ ? 0 : roller_ ? roller_->slopes(x, y)[1] : y / height(x, y);
   }
   /// R^2 - q^2 [m2]
   double fallen(double x, double y) const { return flat_in_y_ ? x * x : x * x + y * y; }
@@ -159,7 +159,7 @@ class IndenterShape {
   Kinematics kinematics_;
   double share_;  // of the coating in what yields, 0 to 1
   double bent_;   // the same where the coating is a ring, else 0
-  std::optional<CrownedBody> crowned_;
+  std::optional<RollerBody> roller_;
   double sideways_, pivot_;     // rigid slip along the axle of a skewed cylinder [1]; of a sphere about z [1/m]
   std::array<double, 3> axle_;  // its direction
 };

@@ -28,8 +28,11 @@ std::string pressed(const ContactModel& model) {
 }
 
 std::string body_in_words(const ContactModel& model) {
-  if (model.transverse_radius)
-    return words("rigid roller, crown of ", *model.transverse_radius, " m (", name_of(model.crown), ")");
+  if (model.outline && model.outline->is_profile())
+    return words("rigid roller, profile up to ", model.outline->reach(), " m from its middle");
+  if (model.outline)
+    return words("rigid roller, crown of ", model.outline->transverse_radius(), " m (", name_of(model.outline->crown()),
+                 ")");
   if (model.dimension == 3) return "rigid sphere";
   return model.width ? words("rigid cylinder, ", *model.width, " m wide, solved per metre of it")
                      : "rigid cylinder, per metre of its length";

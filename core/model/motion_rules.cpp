@@ -1,6 +1,11 @@
 #include "core/model/motion_rules.hpp"
 
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
 #include "core/messages/message_text.hpp"
+#include "core/model/roller_outline.hpp"
 
 namespace rollres {
 
@@ -12,14 +17,19 @@ std::string refused(const char* key, double value, const std::string& rule) {
   return message_text(key, " = ", value, ": ", rule);
 }
 
-void check_crown(const RollingScene& scene, MotionLines& lines) {
-  const bool roller = scene.indenter == Indenter::roller;
+/// What a roller's outline is not solved with.
+void check_outline(const RollingScene& scene, MotionLines& lines) {
+  const bool roller = scene.indenter == Indenter::roller, profile = scene.indenter == Indenter::profile;
   if (roller && !scene.transverse_radius) lines.push_back("transverse_radius is missing: indenter \"roller\" needs it");
   if (!roller && scene.transverse_radius)
     lines.push_back(refused("transverse_radius", *scene.transverse_radius, "only with indenter \"roller\""));
-  if (!roller) return;
+  if (!profile && !(scene.profile_places.empty() && scene.profile_heights.empty()))
+    lines.push_back("profile_places: only with indenter \"profile\"");
+  if (profile)
+    if (std::string fault = profile_fault(scene); !fault.empty()) lines.push_back(std::move(fault));
+  if (!roller && !profile) return;
   const auto only = [&](bool met, const char* rule) {
-    if (!met) lines.push_back("indenter = roller: " + std::string(rule));
+    if (!met) lines.push_back("indenter = " + std::string(name_of(scene.indenter)) + ": " + rule);
   };
   only(scene.kinematics == Kinematics::consistent, "only with kinematics \"consistent\"");
   only(scene.method != Method::active_set, "not with method \"active_set\"");
@@ -68,11 +78,50 @@ void check_turning(const RollingScene& scene, MotionLines& lines) {
   only(!scene.period, "not with a period");
 }
 
+/// Of a profile whose numbers are in order: of its lowest point, and of what a camber hides.
+std::string fault_of_heights(const RollingScene& scene) {
+  const std::vector<double>&places = scene.profile_places, &heights = scene.profile_heights;
+  const double lowest = *std::min_element(heights.begin(), heights.end()),
+               highest = *std::max_element(heights.begin(), heights.end());
+  if (!(highest - lowest < scene.radius))
+    return message_text("profile_heights: must rise by less than the radius, ", scene.radius, " m; they rise by ",
+                        highest - lowest, " m");
+  const RollerOutline outline(scene.radius, places, heights);
+  if (const std::optional<double> hidden = outline.hidden_place(std::sin(scene.camber_angle)))
+    return refused("camber_angle", scene.camber_angle,
+                   message_text("hides the profile behind its rim at y = ", *hidden,
+                                " m from below: less camber, or a profile that ends before"));
+  return {};
+}
+
 }  // namespace
+
+std::string profile_fault(const RollingScene& scene) {
+  const std::vector<double>&places = scene.profile_places, &heights = scene.profile_heights;
+  if (places.empty() || heights.empty())
+    return std::string(places.empty() ? "profile_places" : "profile_heights") +
+           " is missing: indenter \"profile\" needs it, or profile_file";
+  if (places.size() != heights.size())
+    return message_text("profile_heights: must have as many numbers as profile_places, ", places.size(), "; has ",
+                        heights.size());
+  if (places.size() < 2) return "profile_places: must have two numbers at least";
+  for (std::size_t i = 1; i < places.size(); ++i)
+    if (!(places[i] > places[i - 1]))
+      return message_text("profile_places[", i, "] = ", places[i], ": must rise from one to the next");
+  return fault_of_heights(scene);
+}
+
+bool has_mirror(const RollingScene& scene) {
+  if (dimension_of(scene.indenter) == 2) return true;
+  if (scene.indenter == Indenter::sphere && scene.friction_coefficient == 0) return true;
+  if (!is_straight(scene)) return false;
+  return scene.indenter != Indenter::profile || !profile_fault(scene).empty() ||
+         RollerOutline(scene.radius, scene.profile_places, scene.profile_heights).even();
+}
 
 std::vector<std::string> broken_motion_rules(const RollingScene& scene) {
   MotionLines lines;
-  check_crown(scene, lines);
+  check_outline(scene, lines);
   check_turning(scene, lines);
   return lines;
 }

@@ -79,7 +79,8 @@ std::string why_absent(bool sphere, bool half_space, std::string_view output) {
   if (output == "approach" && half_space)
     return "a cylinder sinks without limit into a half-space, with the logarithm of the depth from which the approach "
            "is counted: give that depth as layer_thickness";
-  if (output == "half_width" || output == "peak_shear_y") return "a cylinder has none";
+  constexpr std::array<std::string_view, 4> across{"half_width", "peak_shear_y", "peak_pressure_x", "peak_pressure_y"};
+  if (find_name(across, output) >= 0) return "a cylinder has none";
   return {};
 }
 
@@ -271,9 +272,10 @@ void check_model(const RollingScene& scene, bool in_range, BrokenRules& broken) 
 
 std::string why_no_interior(const RollingScene& scene) {
   if (scene.period) return "not with a period";
-  if (!is_straight(scene) && (dimension_of(scene.indenter) == 2 || scene.friction_coefficient > 0))
-    return dimension_of(scene.indenter) == 2 ? "not of a skewed cylinder"
-                                             : "not of a sphere with skew_angle, lateral_force, camber_angle or pivot";
+  if (dimension_of(scene.indenter) == 2 && !is_straight(scene)) return "not of a skewed cylinder";
+  if (!has_mirror(scene))
+    return is_straight(scene) ? "not of a profile that is not its own mirror image"
+                              : "not of a sphere with skew_angle, lateral_force, camber_angle or pivot";
   if (scene.method == Method::finite_strain) return "not with method \"finite_strain\"";
   return {};
 }

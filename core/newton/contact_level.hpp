@@ -3,6 +3,7 @@
 /// One grid with all that belongs to it: the discretised problem, its coefficients, its operator, its solution.
 
 #include <memory>
+#include <optional>
 
 #include "core/estimate/contact_estimate.hpp"
 #include "core/newton/contact_powers.hpp"
@@ -33,5 +34,8 @@ ContactUnknowns transfer(const ContactLevel& from, const SurfaceGrid& to);
 
 /// Grid with the spacings and the origin of `like` that leaves `margin` [m] around the level's contact.
 SurfaceGrid follow(const ContactLevel& level, const SurfaceGrid& like, double margin);
+
+/// Where the contact reaches the end of a profile [m]: there the pressure has no bound, and the grid decides it.
+std::optional<double> end_in_contact(const ContactLevel& level);
 
 }  // namespace rollres

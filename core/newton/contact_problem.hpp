@@ -50,11 +50,14 @@ struct ContactProblem {
   double idle_ratio = 1;      // R Omega/V without friction [1]
   EdgeSlip edge;              // none where it is not known
 
-  /// Whether the contact's edge shall be sought inside the cells: with the paper's kinematics the grid is the paper's.
+  /// Whether the contact's edge shall be sought inside the cells: with the paper's kinematics the grid is the
+  /// paper's.
   bool follows_edge() const {
     return friction && plane && model.kinematics == Kinematics::consistent && model.adhesion_threshold == 0;
   }
+  /// The edge that pressure on a grid tells; none if it is that of a profile whose contact has no smooth one.
   /// @param in_contact a flag for each node
+  void take_edge(const SurfaceGrid& from, const Vector& pressure, const std::vector<char>& in_contact);
   void take_edge(const EdgeCurve& curve, const std::vector<char>& in_contact) {
     edge = {model, grid, curve, in_contact};
   }

@@ -85,6 +85,12 @@ class Assessment {
     s_.contact_area_error = outline.area_error;
     s_.peak_pressure = outline.peak;
     s_.peak_pressure_error = outline.peak_error;
+    if (!problem_.plane) return;
+    Eigen::Index largest = 0;
+    unknowns_.pressure.maxCoeff(&largest);
+    const SurfaceGrid& grid = problem_.grid;
+    s_.peak_pressure_x = grid.x(static_cast<int>(largest) % grid.columns);
+    s_.peak_pressure_y = grid.y(static_cast<int>(largest) / grid.columns);
   }
 
   void sum_forces() {

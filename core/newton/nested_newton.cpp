@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <sstream>
 
 #include "core/edge/folded_grid.hpp"
@@ -82,7 +83,8 @@ EdgeCorrection correction_of(const ContactLevel& level) {
   const ContactModel& model = problem.model;
   if (!problem.plane || model.kinematics != Kinematics::consistent || model.adhesion_threshold > 0 || !model.load)
     return {};
-  if (model.transverse_radius && !model.mirrored()) return {};  // whose contact is turned
+  // Whose contact is turned, or no ellipse.
+  if (model.outline && (!model.mirrored() || model.outline->is_profile())) return {};
   const ContactUnknowns& x = level.outcome.unknowns;
   const double turning = problem.turning_ratio(x.rotation_ratio) / problem.shape.radius();
   PressedSphere sphere{model, problem.grid, *level.influence, problem.profile, problem.load.of_pressure, {}};
@@ -127,7 +129,7 @@ EdgeCorrection correction_of(const ContactLevel& level) {
 void find_edge(ContactLevel& level, const NewtonOptions& options) {
   ContactProblem& problem = *level.problem;
   const ContactUnknowns& start = level.outcome.unknowns;
-  problem.take_edge(edge_curve(problem.grid, start.pressure), loaded_nodes(start));
+  problem.take_edge(problem.grid, start.pressure, loaded_nodes(start));
   if (!problem.edge.curve().known()) return;
   NewtonOutcome found = newton_along_edge(problem, *level.table, *level.influence, start, options);
   if (found.converged && !found.reached_border)
@@ -160,7 +162,7 @@ ContactLevel solve_level(const ContactModel& model, SurfaceGrid grid, const Cont
     if (coarser && model.adhesion_threshold == 0) {
       const ContactUnknowns start = transfer(*coarser, grid);
       if (problem.follows_edge())
-        problem.take_edge(edge_curve(coarser->problem->grid, coarser->outcome.unknowns.pressure), loaded_nodes(start));
+        problem.take_edge(coarser->problem->grid, coarser->outcome.unknowns.pressure, loaded_nodes(start));
       level.outcome = newton_along_edge(problem, *level.table, *level.influence, start, options);
       if (!level.outcome.converged) problem.edge = {};
     }
@@ -193,9 +195,12 @@ ContactLevel solve_level(const ContactModel& model, SurfaceGrid grid, const Cont
 double NestedOutcome::error_estimate(const GridError& error, double resistance) const {
   const double last = last_change();
   constexpr double rounding = 1e-11;
-  const double to_come = tied ? expected_change_of_tied_line(last, change_before, finest.powers)
-                              : expected_change(finest.problem->model.dimension, last, change_before, finest.powers,
-                                                edge_trust(finest.problem->model, finest.edge.trust, error));
+  double to_come = tied ? expected_change_of_tied_line(last, change_before, finest.powers)
+                        : expected_change(finest.problem->model.dimension, last, change_before, finest.powers,
+                                          edge_trust(finest.problem->model, finest.edge.trust, error));
+  // Hollows of a profile that cells pass over make changes irregular.
+  const std::optional<RollerOutline>& outline = finest.problem->model.outline;
+  if (outline && outline->is_profile() && last > to_come) to_come = last;
   return error.estimate(resistance, limit(&GridNumbers::resistance).change_left(to_come)) +
          rounding * finest.powers.halves;
 }
@@ -267,6 +272,12 @@ NestedOutcome solve_nested(const ContactModel& model, const GridSeries& grids,
     }
     if (coarsening == last) {
       if (!solved) break;
+      if (const std::optional<double> end = end_in_contact(level)) {
+        nested.reason = message_text("the contact reaches the end of the profile near y = ", *end,
+                                     " m, an edge that presses without bound: the profile must go on to where the body "
+                                     "has left the layer");
+        return nested;
+      }
       nested.status = Status::converged;
       answered = true;
       ContactLevel& answer = nested.finest;

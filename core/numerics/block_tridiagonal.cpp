@@ -6,7 +6,10 @@ namespace rollres {
 
 BlockTridiagonal::BlockTridiagonal(Eigen::Index blocks, Eigen::Index size, Eigen::Index last, Eigen::Index shared)
     : size_(size), shared_(shared), unknowns_((blocks - 1) * size + last) {
+  require_memory(8.0 * static_cast<double>(blocks) * static_cast<double>(size) * static_cast<double>(size + 2 * shared),
+                 "the blocks of the system");
   for (Eigen::Index k = 0; k < blocks; ++k) {
+    require_time();
     const Eigen::Index rows = k + 1 < blocks ? size : last;
     diagonal_.emplace_back(Eigen::MatrixXd::Zero(rows, rows));
     if (k == 0) continue;

@@ -66,7 +66,10 @@ std::string Range::rule() const {
   return text;
 }
 
-std::string_view Body::name() const { return of_width ? "cylinder with a width" : name_of(indenter); }
+std::string_view Body::name() const {
+  if (indenter == Indenter::profile) return "profiled roller";
+  return of_width ? "cylinder with a width" : name_of(indenter);
+}
 
 int find_name(std::span<const std::string_view> names, std::string_view name) {
   const auto found = std::find(names.begin(), names.end(), name);

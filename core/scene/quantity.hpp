@@ -13,8 +13,9 @@
 
 namespace rollres {
 
-/// Body that rolls: a cylinder (plane strain, solved per metre of its length), a sphere, or a crowned roller.
-enum class Indenter { cylinder, sphere, roller };
+/// Body that rolls: a cylinder (plane strain, solved per metre of its length), a sphere, a crowned roller, or a roller
+/// whose profile along the axle is given.
+enum class Indenter { cylinder, sphere, roller, profile };
 
 /// Dimension of its contact problem: 2 (per metre of length, no y) or 3.
 constexpr int dimension_of(Indenter body) { return body == Indenter::cylinder ? 2 : 3; }
@@ -28,7 +29,7 @@ struct Body {
   constexpr Body(Indenter body, bool width_given = false)
       : indenter(body), of_width(body == Indenter::cylinder && width_given) {}
   constexpr bool per_metre() const { return indenter == Indenter::cylinder && !of_width; }
-  /// "cylinder", "cylinder with a width", "sphere", "roller".
+  /// "cylinder", "cylinder with a width", "sphere", "roller", "profiled roller".
   std::string_view name() const;
   friend constexpr auto operator<=>(const Body&, const Body&) = default;
 };
@@ -75,7 +76,7 @@ struct ChoiceNames;
 
 template <>
 struct ChoiceNames<Indenter> {
-  static constexpr std::array<std::string_view, 3> names{"cylinder", "sphere", "roller"};
+  static constexpr std::array<std::string_view, 4> names{"cylinder", "sphere", "roller", "profile"};
 };
 
 template <class Choice>

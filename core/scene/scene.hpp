@@ -125,6 +125,8 @@ struct RollingScene : MaterialInputs {
   double radius = 0;                        // R [m]
   std::optional<double> transverse_radius;  // of a roller's crown, across the motion [m]
   Crown crown = Crown::circle;
+  std::vector<double> profile_places;   // of a profiled roller, along its axle to the left, rising [m]
+  std::vector<double> profile_heights;  // there, over its lowest point, where its radius is R [m]
   std::optional<double> width;  // of a cylinder whose load, torque, forces and powers are those of the whole body [m]
   double layer_thickness = 0;   // H [m]; infinity for a half-space
   double layer_density = 1000;  // rho [kg/m3]
@@ -182,6 +184,10 @@ void visit_inputs(Scene& scene, Visitor&& visitor) {
   visitor(Q{"transverse_radius", "R_t", "m", "radius of a roller's crown, across the motion", positive},
           scene.transverse_radius);
   visitor(Q{"crown", "", "", "outline of a roller along its axle"}, scene.crown);
+  visitor(Q{"profile_places", "y", "m", "places along the axle of a roller with a profile, to the left, rising"},
+          scene.profile_places);
+  visitor(Q{"profile_heights", "", "m", "heights of the profile there, counted from the smallest, where the radius is R"},
+          scene.profile_heights);
   visitor(Q{"width", "", "m",
             "length of a cylinder along its axis; loads, forces, torques and powers are then those of the whole body",
             positive},

@@ -89,6 +89,7 @@ struct RollingSolution {
   double edge_error = absent;
   double contact_area = absent, contact_area_error = absent;
   double mean_pressure = absent, peak_pressure = absent, peak_pressure_error = absent;
+  double peak_pressure_x = absent, peak_pressure_y = absent;
   double peak_shear_x = absent, peak_shear_y = absent;
   int contact_nodes = 0, slip_nodes = 0;
   double viscous_loss = absent, frictional_loss = absent;
@@ -169,6 +170,10 @@ void visit_outputs(Solution& solution, Visitor&& visitor) {
   visitor(Q{"mean_pressure", "p_m", "Pa", "load over area of contact"}, s.mean_pressure);
   visitor(Q{"peak_pressure", "p_0", "Pa", "largest pressure"}, s.peak_pressure);
   visitor(Q{"peak_pressure_error", "", "Pa", "estimated error of the largest pressure"}, s.peak_pressure_error);
+  visitor(Q{"peak_pressure_x", "", "m", "place of the node with the largest pressure of a sphere or roller"},
+          s.peak_pressure_x);
+  visitor(Q{"peak_pressure_y", "", "m", "the same across the motion, to the left; of two mirror images the left one"},
+          s.peak_pressure_y);
   visitor(Q{"peak_shear_x", "max|τ_xz|", "Pa", "largest shear traction along x"}, s.peak_shear_x);
   visitor(Q{"peak_shear_y", "max|τ_yz|", "Pa", "largest shear traction along y (sphere, skewed cylinder)"},
           s.peak_shear_y);

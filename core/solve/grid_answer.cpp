@@ -23,11 +23,19 @@ double tied_cells(int step) {
 }
 constexpr int coarsest_step = -2, most_steps = 3;  // where a tolerance begins; at a time, as coarse grids tell little
 
+/// A step, or the one whose cells tell the hollows of a profile, up to a limit.
+int step_for(const ContactModel& model, int step) {
+  constexpr int most = 5;
+  const double cells = cells_for_hollows(model);
+  while (step < most && tied_cells(step) < cells) ++step;
+  return step;
+}
+
 /// The same of a cylinder.
 constexpr double cells_of_line = 60;
 
 GridSeries grids_of(const ContactModel& model) {
-  if (model.dimension == 3 && !model.spacing) return tied_grids(model, tied_cells(0));
+  if (model.dimension == 3 && !model.spacing) return tied_grids(model, tied_cells(step_for(model, 0)));
   if (!model.spacing && model.adhesion_threshold == 0) return tied_lines(model, cells_of_line);
   return fixed_grids(model, model.spacing.value_or(default_spacing(model)));
 }
@@ -53,10 +61,10 @@ double room_for_nodes(const NestedOutcome& nested, int most_nodes) {
 
 /// A sphere whose grid is tied to its contact: as many cells as the estimate on a coarser grid asks for.
 NestedOutcome solve_sphere_to_tolerance(const ContactModel& model, int most_nodes) {
-  int step = coarsest_step;
+  int step = step_for(model, coarsest_step);
   NestedOutcome found = solve_nested(model, tied_grids(model, tied_cells(step)));
   if (found.status != Status::converged) {
-    step = 0;
+    step = step_for(model, 0);
     found = solve_nested(model, tied_grids(model, tied_cells(step)));
   }
   NestedOutcome best;  // of the grids before, where a finer one does not always tell more

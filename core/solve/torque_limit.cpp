@@ -17,7 +17,7 @@ namespace rollres {
 //   printed, sphere     |T| = |int x p - q tau_x| <= (r + mu R) P
 //   printed, cylinder   |T| = |R int tau_x| <= mu R int p, and P = int (q p - x tau_x)/R >= (q_r - mu r)/R int p
 double largest_torque(const ContactModel& model) {
-  if (!model.load || model.adhesion_threshold > 0 || !model.coating.empty() || model.transverse_radius) return INFINITY;
+  if (!model.load || model.adhesion_threshold > 0 || !model.coating.empty() || model.outline) return INFINITY;
   const IndenterShape shape(model);
   const double radius = model.radius, farthest = widest_window(model), lowest = shape.height(farthest),
                friction = friction_law(model).slope(0), load = *model.load;

@@ -132,7 +132,9 @@ void print_keys(std::ostream& out) {
   out << "\nBesides: `" << master_curve_key << "`, a CSV file with the lists of a master curve, `" << strain_sweep_key
       << "`, one with those of a\nstrain sweep, `" << shift_table_key
       << "`, one with a table of shifts, each of a further layer, too; `$schema` and `comment`, texts that are "
-         "ignored. Inputs of further "
+         "ignored. `"
+      << profile_key
+      << "`, with the profile of a roller, is the scene's alone. Inputs of further "
          "layers are "
       << further_layers().form() << ", counted from 0: " << joined(further_layers().keys) << ".\n";
   out << "\n## Answers\n\nWhat formulas, limits, charts and queries name beside inputs; a number of a list by its "

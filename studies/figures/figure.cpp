@@ -13,7 +13,7 @@ namespace rollres {
 
 namespace {
 
-constexpr Indenter cylinder = Indenter::cylinder, sphere = Indenter::sphere;
+constexpr int cylinder = 2, sphere = 3;
 
 constexpr std::array<Figure, 15> figures{{
     {3, "displacements", cylinder, false, "Displacements of the layer's surface", displacement_lines},
@@ -51,8 +51,8 @@ const Figure& figure_named(const std::string& wish) {
 
 /// Why a scene has no such figure; empty if it has.
 std::string hindrance(const Figure& figure, const RollingScene& scene) {
-  if (figure.indenter && figure.indenter != scene.indenter)
-    return "a figure of a " + std::string(name_of(*figure.indenter)) +
+  if (figure.dimension && *figure.dimension != dimension_of(scene.indenter))
+    return std::string("a figure of a ") + (*figure.dimension == cylinder ? "cylinder" : "sphere or roller") +
            ", and indenter = " + std::string(name_of(scene.indenter));
   if (figure.of_friction && scene.friction_coefficient == 0) return "friction_coefficient = 0 leaves it empty";
   return figure.number > last_of_paper ? why_no_interior(scene) : "";
@@ -95,7 +95,7 @@ ChartFiles draw_figure(const Figure& figure, const FigureSource& source, const s
       {std::string(figure.title),
        (figure.number > last_of_paper ? ""
                                       : "figure " + std::to_string(figure.number) + " of Zehil and Gavin (2013), ") +
-           std::string("of a ") + std::string(name_of(source.scene.indenter)) + " that rolls along x"});
+           std::string("of a ") + std::string(Body(source.scene.indenter).name()) + " that rolls along x"});
   return files;
 }
 

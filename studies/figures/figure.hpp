@@ -27,8 +27,8 @@ struct FigureSource {
 struct Figure {
   int number;
   std::string_view name;
-  std::optional<Indenter> indenter;  // absent: of both
-  bool of_friction;                  ///< empty without it
+  std::optional<int> dimension;  // of the contact; absent: of both
+  bool of_friction;              ///< empty without it
   std::string_view title;
   PictureText (*draw)(const Figure&, const FigureSource&, const ChartFiles&);
 

@@ -197,7 +197,6 @@ class SceneSketch {
   }
 
   void draw_layers() {
-    const std::string body = scene_.indenter == Indenter::sphere ? "ball" : std::string(name_of(scene_.indenter));
     for (std::size_t i = 0; i < layers_.size(); ++i) {
       std::vector<Point> outline = interface(depths_[i]);
       std::vector<Point> below = interface(i + 1 < layers_.size() ? depths_[i + 1] : deepest_);
@@ -434,7 +433,7 @@ PictureText scene_sketch(const RollingScene& scene, const RollingSolution& solut
 
 std::string sketch_in_words(const RollingScene& scene) {
   const std::size_t layers = 1 + scene.lower_layers.size();
-  return "a " + std::string(name_of(scene.indenter)) + " of " + shown(scene.radius, "m") + " radius" +
+  return "a " + std::string(Body(scene.indenter).name()) + " of " + shown(scene.radius, "m") + " radius" +
          (scene.coating_layers.empty() ? "" : " with a coating") + " on " +
          (layers == 1 ? "one layer" : std::to_string(layers) + " layers") + ", drawn to scale";
 }

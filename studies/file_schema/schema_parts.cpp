@@ -194,6 +194,11 @@ Json ignored_texts() {
 Json scene_texts() {
   Json texts = ignored_texts();
   texts.update(table_texts());
+  texts[std::string(profile_key)] = {{"type", "string"},
+                                     {"minLength", 1},
+                                     {"description",
+                                      "CSV file with the profile of a roller along its axle, relative to this file: y "
+                                      "[m], rising, height [m] over the lowest point"}};
   return texts;
 }
 

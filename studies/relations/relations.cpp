@@ -89,7 +89,28 @@ void draw_sphere_method(Dice& dice, RollingScene& scene) {
   scene.tolerance = 1e-2;
 }
 
-/// Turns the axle or the path of one in four of those bodies that may be turned, and gives one ball in five a crown.
+/// A straight tread with shoulders, which one end may have higher than the other.
+void give_profile(Dice& dice, RollingScene& scene) {
+  scene.indenter = Indenter::profile;
+  const double tread = scene.radius * dice.log_uniform(0.05, 0.4), shoulder = scene.radius * dice.log_uniform(0.2, 1);
+  const double cone = dice.choice(2) == 0 ? 0 : dice.signed_log_uniform(1e-3, 0.05);
+  constexpr int points = 20;  // on a shoulder
+  constexpr double part = 0.85;
+  const auto add = [&](double along, double height) {
+    scene.profile_places.push_back(rounded(along));
+    scene.profile_heights.push_back(rounded(height + cone * (along + tread + part * shoulder)));
+  };
+  const auto arc = [&](int i) {
+    const double t = part * i / points;
+    return std::pair{tread + t * shoulder, shoulder * (1 - std::sqrt(1 - t * t))};
+  };
+  for (int i = points; i > 0; --i) add(-arc(i).first, arc(i).second);
+  for (int i = -2; i <= 2; ++i) add(0.5 * i * tread, 0);
+  for (int i = 1; i <= points; ++i) add(arc(i).first, arc(i).second);
+}
+
+/// Turns the axle or the path of one in four of those bodies that may be turned, and gives one ball in five a crown or
+/// a profile.
 void draw_turning(Dice& dice, RollingScene& scene) {
   const bool solved =
       scene.method == Method::automatic || scene.method == Method::newton || scene.method == Method::newton_dense;
@@ -98,13 +119,15 @@ void draw_turning(Dice& dice, RollingScene& scene) {
     if (dice.choice(4) == 0) scene.skew_angle = rounded(dice.signed_log_uniform(1e-4, 0.3));
     return;
   }
-  if (dice.choice(5) == 0) {
+  const int shape = dice.choice(10);
+  if (shape == 0) give_profile(dice, scene);
+  if (shape == 1) {
     scene.indenter = Indenter::roller;
     scene.transverse_radius = rounded(scene.radius * dice.log_uniform(0.4, 5));
     scene.crown = dice.choice(2) == 0 ? Crown::circle : Crown::ellipse;
   }
   if (!scene.coating_layers.empty() || dice.choice(4) != 0) return;
-  const int turning = dice.choice(scene.indenter == Indenter::roller ? 2 : 4);
+  const int turning = dice.choice(scene.indenter == Indenter::sphere ? 4 : 2);
   if (turning == 0 || turning == 3) scene.skew_angle = rounded(dice.signed_log_uniform(1e-4, 0.2));
   if (turning == 1 || turning == 3) scene.camber_angle = rounded(dice.signed_log_uniform(1e-3, 0.8));
   if (turning >= 2) scene.pivot = rounded(dice.signed_log_uniform(1e-3, 0.3) / scene.radius);

@@ -285,6 +285,15 @@ Json read_shift_table(const std::filesystem::path& file, const std::vector<std::
   return lists;
 }
 
+Json read_profile(const std::filesystem::path& file, const std::vector<std::string>& ignored) {
+  MeasuredTable table = read_measured_table(file);
+  table.leave_out(ignored);
+  constexpr std::array<std::string_view, 3> known{"y", "height", "note"};
+  table.refuse_others(known);
+  return {{"profile_places", measured_numbers(table, table.needed("y"), "m", any_number)},
+          {"profile_heights", measured_numbers(table, table.needed("height"), "m", any_number)}};
+}
+
 namespace {
 
 /// One part of a scene with the lists of its own tables.
@@ -321,6 +330,8 @@ Json with_own_tables(const Json& object, const std::filesystem::path& folder, co
       add_lists(strain_sweep_key, strain_sweep_inputs, read_strain_sweep);
     else if (key == shift_table_key)
       add_lists(shift_table_key, shift_table_inputs, read_shift_table);
+    else if (key == profile_key)
+      add_lists(profile_key, profile_inputs, read_profile);
     else if (key != ignored_columns_key && !(key == material && is_curve && complete.contains(key)))
       complete[key] = value;
   return complete;

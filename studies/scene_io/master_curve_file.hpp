@@ -21,6 +21,9 @@
 /// And a table of shifts with temperature: {"shift_table_file": "shift.csv"}, with the columns temperature [K] or
 /// [degC], a_T or log10_a_T [1], b_T [1] (core/material/material_scale.hpp says which way they count), one of a_T and
 /// b_T at least, and note.
+///
+/// And the profile of a roller along its axle: {"indenter": "profile", "profile_file": "tread.csv"}, with the columns
+/// y [m], rising, height [m] over the lowest point, and note.
 
 #include <array>
 #include <filesystem>
@@ -40,7 +43,9 @@ namespace rollres {
 inline constexpr std::string_view master_curve_key = "master_curve_file";
 inline constexpr std::string_view strain_sweep_key = "strain_sweep_file";
 inline constexpr std::string_view shift_table_key = "shift_table_file";
-inline constexpr std::array<std::string_view, 3> table_keys{master_curve_key, strain_sweep_key, shift_table_key};
+inline constexpr std::string_view profile_key = "profile_file";
+inline constexpr std::array<std::string_view, 4> table_keys{master_curve_key, strain_sweep_key, shift_table_key,
+                                                            profile_key};
 inline constexpr std::string_view ignored_columns_key = "ignore_columns";
 inline constexpr std::array<std::string_view, 3> master_curve_inputs{"frequencies", "storage_moduli", "loss_moduli"};
 inline constexpr std::array<std::string_view, 2> relaxation_inputs{"relaxation_times", "relaxation_moduli"};
@@ -49,6 +54,7 @@ inline constexpr std::array<std::string_view, 3> strain_sweep_inputs{"sweep_stra
 
 inline constexpr std::array<std::string_view, 3> shift_table_inputs{"shift_temperatures", "shift_factors",
                                                                     "modulus_shifts"};
+inline constexpr std::array<std::string_view, 2> profile_inputs{"profile_places", "profile_heights"};
 inline constexpr std::array<std::string_view, 5> shift_columns{"temperature", "a_T", "log10_a_T", "b_T", "note"};
 
 /// Frequencies that a table may have, measured or shifted [Hz].
@@ -102,6 +108,8 @@ Json read_strain_sweep(const std::filesystem::path& file, const std::vector<std:
 std::vector<double> measured_shift_factors(const MeasuredTable& table);
 
 Json read_shift_table(const std::filesystem::path& file, const std::vector<std::string>& ignored = {});
+
+Json read_profile(const std::filesystem::path& file, const std::vector<std::string>& ignored = {});
 
 /// What of a scene names tables: its own layer's inputs, then the objects of further layers.
 struct TablePart {

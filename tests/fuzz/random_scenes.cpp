@@ -194,6 +194,8 @@ void strain_finitely(RollingScene& scene) {
   scene.adhesion_threshold = 0;
   scene.heat = Heat::off;
   scene.transverse_radius.reset();
+  scene.profile_places.clear();
+  scene.profile_heights.clear();
   scene.lateral_force.reset();
   scene.axial_force.reset();
   scene.skew_angle.reset();

@@ -256,7 +256,7 @@ TEST_CASE("a figure is asked for by number or name, and only where the scene has
     }
     return std::string();
   };
-  CHECK(refused(paper_cylinder(), "6") == "--figure = 6: a figure of a sphere, and indenter = cylinder");
+  CHECK(refused(paper_cylinder(), "6") == "--figure = 6: a figure of a sphere or roller, and indenter = cylinder");
   CHECK(refused(paper_sphere(), "sigmaz") == "--figure = sigmaz: no such figure; did you mean sigma_z?");
   CHECK(refused(paper_sphere(), "18") == "--figure = 18: no such figure; there are 3 to 17");
   CHECK(refused(frictionless(paper_sphere()), "tau_xz") ==

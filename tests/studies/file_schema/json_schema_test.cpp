@@ -46,7 +46,8 @@ TEST_CASE("the schemas have every key that the readers accept", "[studies][schem
     CHECK(study["properties"]["set"]["properties"].contains(key));
     CHECK(study["properties"]["axes"]["properties"].contains(key) != kind.list);
   }
-  CHECK(scene["properties"].size() == written_kinds().size() + 6);  // $schema, comment, master_curve_file, ignore_columns
+  CHECK(scene["properties"].size() ==
+        written_kinds().size() + 7);  // $schema, comment, master_curve_file, ignore_columns
   for (const FileKey& key : study_keys) CHECK(study["properties"].contains(std::string(key.key)));
   CHECK(study["properties"].size() == study_keys.size());
   const Json fit = Json::parse(fit_schema()), optimisation = Json::parse(optimisation_schema());

@@ -68,7 +68,7 @@ const std::vector<Wrong> wrong_scenes{
     {scene_with(R"("radius": "-2 cm")"), R"(: radius = "-2 cm": must be > 0)"},
     {scene_with(R"("load": "150 N")"),
      R"(: load = "150 N": must have a unit of force per length (N/m) for a cylinder; give its width too for that of the whole body)"},
-    {scene_with(R"("indenter": "ball")"), R"(: indenter = "ball": must be one of cylinder, sphere, roller)"},
+    {scene_with(R"("indenter": "ball")"), R"(: indenter = "ball": must be one of cylinder, sphere, roller, profile)"},
     {scene_with(R"("method": "newtn")"),
      R"(: method = "newtn": must be one of automatic, newton, newton_dense, active_set, spectral, finite_strain; did you mean newton?)"},
     {scene_with(R"("method": 1)"),
