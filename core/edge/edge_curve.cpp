@@ -96,8 +96,6 @@ EdgeCurve edge_curve(const SurfaceGrid& grid, const Vector& pressure) {
   const Eigen::HouseholderQR<Eigen::MatrixXd> fit(powers);
   curve.centre = fit.solve(centre);
   curve.squared_length = fit.solve(squared);
-  const Vector apart = (powers * curve.squared_length).cwiseMax(0).cwiseSqrt() - squared.cwiseSqrt();
-  curve.misfit = apart.norm() / (std::sqrt(static_cast<double>(rows)) * grid.spacing_x);
   return curve;
 }
 

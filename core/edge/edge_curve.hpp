@@ -17,7 +17,6 @@ struct EdgeCurve {
   Vector centre = {}, squared_length = {};  // coefficients of m [m] and h^2 [m2]; empty: not known
   bool even = true;                         // in y
   double origin = 0;                        // of y [m]
-  double misfit = 0;                        // of the half-lengths it was fitted to, on the mean [cells]
 
   bool known() const { return centre.size() > 0; }
 };

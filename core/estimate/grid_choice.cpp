@@ -1,5 +1,6 @@
 #include "core/estimate/grid_choice.hpp"
 
+#include <Eigen/QR>
 #include <algorithm>
 #include <cmath>
 
@@ -9,6 +10,7 @@
 #include "core/model/contact_surface.hpp"
 #include "core/model/indenter_shape.hpp"
 #include "core/numerics/solution_limits.hpp"
+#include "core/numerics/vector.hpp"
 
 namespace rollres {
 
@@ -94,6 +96,25 @@ double cells_for_hollows(const ContactModel& model) {
   const ContactEstimate estimate = estimate_contact(model);
   const double depth = 0.5 * estimate.half_width * estimate.half_width / model.radius;
   return cells_on_flank * estimate.half_width * estimate.elongation / model.outline->shortest_flank(share * depth);
+}
+
+bool has_smooth_edge(const ContactModel& model) {
+  if (!model.outline || !model.outline->is_profile()) return true;
+  constexpr int places = 40, terms = 9;
+  constexpr double enough = 2e-3;  // of the depth: a thousandth of the contact's half-length
+  const ContactEstimate estimate = estimate_contact(model);
+  const double depth = 0.5 * estimate.half_width * estimate.half_width / model.radius,
+               aside = estimate.half_width * estimate.elongation;
+  const double middle = model.outline->lowest(std::sin(model.camber)).along;
+  Eigen::MatrixXd powers(places + 1, terms);
+  Vector heights(places + 1);
+  for (int i = 0; i <= places; ++i) {
+    const double t = 2.0 * i / places - 1;
+    for (int k = 0; k < terms; ++k) powers(i, k) = std::pow(t, k);
+    heights(i) = model.radius - std::sqrt(std::max(model.outline->squared_radius(middle + t * aside), 0.0));
+  }
+  const Vector apart = powers * Eigen::HouseholderQR<Eigen::MatrixXd>(powers).solve(heights) - heights;
+  return apart.norm() <= enough * depth * std::sqrt(places + 1.0);
 }
 
 void require_nodes(double columns, double rows, double spacing) {

@@ -25,6 +25,10 @@ double default_spacing(const ContactModel& model);
 /// a tenth as deep as the contact or deeper; 0: no profile, or none.
 double cells_for_hollows(const ContactModel& model);
 
+/// Whether the edge of the contact is a curve that polynomials follow (edge_curve.hpp): of a profile, if one follows its
+/// heights within the estimated contact.
+bool has_smooth_edge(const ContactModel& model);
+
 /// @throws BeyondLimits if a half grid of so many nodes takes more memory than the solution may (solution_limits.hpp)
 void require_nodes(double columns, double rows, double spacing);
 

@@ -13,13 +13,6 @@ constexpr double place_of_spin = 0.4;
 
 }  // namespace
 
-void ContactProblem::take_edge(const SurfaceGrid& from, const Vector& pressure, const std::vector<char>& in_contact) {
-  constexpr double smooth = 0.1;  // [cells]
-  EdgeCurve curve = edge_curve(from, pressure);
-  if (model.outline && model.outline->is_profile() && curve.misfit > smooth) curve = {};
-  take_edge(curve, in_contact);
-}
-
 ContactProblem::ContactProblem(const ContactModel& given, const SurfaceGrid& given_grid)
     : model(given),
       grid(given_grid),
@@ -28,6 +21,7 @@ ContactProblem::ContactProblem(const ContactModel& given, const SurfaceGrid& giv
       friction(given.friction_coefficient > 0),
       lateral(given.lateral()),
       plane(given.dimension == 3),
+      smooth_edge(has_smooth_edge(given)),
       drive_target(rollres::drive_target(given)) {
   const Eigen::Index size = grid.size();
   profile.resize(size);

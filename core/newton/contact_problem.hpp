@@ -39,6 +39,7 @@ struct ContactProblem {
   FrictionLaw law;
   bool friction, lateral;                 // shear; tractions and displacements along y
   bool plane;                             // rows in y, and not a line
+  bool smooth_edge;                       // as has_smooth_edge (grid_choice.hpp) says
   Vector profile;                         // height of the body's lower surface above its lowest point [m]
   Vector forward, turning;                // of the slip (N2) as the law of friction takes it, along x [1]
   Vector forward_y, turning_y;            // and along y
@@ -53,11 +54,10 @@ struct ContactProblem {
   /// Whether the contact's edge shall be sought inside the cells: with the paper's kinematics the grid is the
   /// paper's.
   bool follows_edge() const {
-    return friction && plane && model.kinematics == Kinematics::consistent && model.adhesion_threshold == 0;
+    return friction && plane && model.kinematics == Kinematics::consistent && model.adhesion_threshold == 0 &&
+           smooth_edge;
   }
-  /// The edge that pressure on a grid tells; none if it is that of a profile whose contact has no smooth one.
   /// @param in_contact a flag for each node
-  void take_edge(const SurfaceGrid& from, const Vector& pressure, const std::vector<char>& in_contact);
   void take_edge(const EdgeCurve& curve, const std::vector<char>& in_contact) {
     edge = {model, grid, curve, in_contact};
   }

@@ -129,7 +129,7 @@ EdgeCorrection correction_of(const ContactLevel& level) {
 void find_edge(ContactLevel& level, const NewtonOptions& options) {
   ContactProblem& problem = *level.problem;
   const ContactUnknowns& start = level.outcome.unknowns;
-  problem.take_edge(problem.grid, start.pressure, loaded_nodes(start));
+  problem.take_edge(edge_curve(problem.grid, start.pressure), loaded_nodes(start));
   if (!problem.edge.curve().known()) return;
   NewtonOutcome found = newton_along_edge(problem, *level.table, *level.influence, start, options);
   if (found.converged && !found.reached_border)
@@ -162,7 +162,7 @@ ContactLevel solve_level(const ContactModel& model, SurfaceGrid grid, const Cont
     if (coarser && model.adhesion_threshold == 0) {
       const ContactUnknowns start = transfer(*coarser, grid);
       if (problem.follows_edge())
-        problem.take_edge(coarser->problem->grid, coarser->outcome.unknowns.pressure, loaded_nodes(start));
+        problem.take_edge(edge_curve(coarser->problem->grid, coarser->outcome.unknowns.pressure), loaded_nodes(start));
       level.outcome = newton_along_edge(problem, *level.table, *level.influence, start, options);
       if (!level.outcome.converged) problem.edge = {};
     }

@@ -107,10 +107,7 @@ class NewtonIteration {
   /// The cells at the edge are those of the contact; once that is known, its curve is that of the pressure.
   void follow_edge(const ContactMask& contact) {
     const bool settled = maps_.largest < options_.edge_follows;
-    if (settled)
-      edged_->take_edge(problem_.grid, x_.pressure, contact);
-    else
-      edged_->take_edge(problem_.edge.curve(), contact);
+    edged_->take_edge(settled ? edge_curve(problem_.grid, x_.pressure) : problem_.edge.curve(), contact);
   }
 
   /// Solution of the linearised laws (N8), by factors or by GMRES.
