@@ -41,7 +41,9 @@ PY
 tar -C "$folder/run" -xf "$(cat "$folder/layer")"
 
 mkdir "$folder/run/proc"
-rollres() { env -i HOME=/tmp PATH="$PATH" unshare $as_root --mount sh -c "$enter" "$folder/run" /opt/rollres/bin/rollres "$@"; }
+# Where / is no mount of its own, as in a chroot, its propagation cannot be set: there the caller has set it.
+unshare $as_root --mount true 2>/dev/null && propagation= || propagation="--propagation unchanged"
+rollres() { env -i HOME=/tmp PATH="$PATH" unshare $as_root --mount $propagation sh -c "$enter" "$folder/run" /opt/rollres/bin/rollres "$@"; }
 examples=/opt/rollres/share/rollres/examples
 resistance() { grep '"rolling_resistance":'; }
 for scene in paper_cylinder paper_sphere; do
