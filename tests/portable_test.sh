@@ -9,6 +9,9 @@ rm -rf "$folder" && mkdir -p "$folder/root/tmp" "$folder/root/dev"
 trap 'rm -rf "$folder"' EXIT
 # /proc tells the loader where the program is ($ORIGIN), as in every container.
 [ "$(id -u)" -eq 0 ] && as_root= || as_root=--map-root-user
+# Where / is no mount of its own, as in a chroot, its propagation cannot be set: there the caller has set it.
+unshare $as_root --mount true 2>/dev/null && propagation= || propagation="--propagation unchanged"
+unshare $as_root --mount $propagation true || { echo "not tried: no mounts of its own may be made here"; exit 77; }
 enter='mount --rbind /proc "$0/proc" && mount --rbind /dev "$0/dev" && exec chroot "$0" "$@"'
 portable=$(GZIP_LEVEL=1 sh "$here/studies/portable.sh" "$tree")
 # glibc's files alone, as ldd finds them; no shell.
@@ -41,8 +44,6 @@ PY
 tar -C "$folder/run" -xf "$(cat "$folder/layer")"
 
 mkdir "$folder/run/proc"
-# Where / is no mount of its own, as in a chroot, its propagation cannot be set: there the caller has set it.
-unshare $as_root --mount true 2>/dev/null && propagation= || propagation="--propagation unchanged"
 rollres() { env -i HOME=/tmp PATH="$PATH" unshare $as_root --mount $propagation sh -c "$enter" "$folder/run" /opt/rollres/bin/rollres "$@"; }
 examples=/opt/rollres/share/rollres/examples
 resistance() { grep '"rolling_resistance":'; }
