@@ -61,8 +61,7 @@ ContactEstimate estimate_of_profile(const ContactModel& model) {
 }
 
 ContactEstimate estimate_of_roller(const ContactModel& model) {
-  return model.outline->is_profile() ? estimate_of_profile(model)
-                                     : estimate_of_crown(model, model.outline->transverse_radius());
+  return model.profiled() ? estimate_of_profile(model) : estimate_of_crown(model, model.outline->transverse_radius());
 }
 
 }  // namespace
@@ -99,7 +98,7 @@ double cells_for_hollows(const ContactModel& model) {
 }
 
 bool has_smooth_edge(const ContactModel& model) {
-  if (!model.outline || !model.outline->is_profile()) return true;
+  if (!model.profiled()) return true;
   constexpr int places = 40, terms = 9;
   constexpr double enough = 2e-3;  // of the depth: a thousandth of the contact's half-length
   const ContactEstimate estimate = estimate_contact(model);

@@ -25,8 +25,8 @@ double default_spacing(const ContactModel& model);
 /// a tenth as deep as the contact or deeper; 0: no profile, or none.
 double cells_for_hollows(const ContactModel& model);
 
-/// Whether the edge of the contact is a curve that polynomials follow (edge_curve.hpp): of a profile, if one follows its
-/// heights within the estimated contact.
+/// Whether the edge of the contact is a curve that polynomials follow (edge_curve.hpp): of a profile, if one follows
+/// its heights within the estimated contact.
 bool has_smooth_edge(const ContactModel& model);
 
 /// @throws BeyondLimits if a half grid of so many nodes takes more memory than the solution may (solution_limits.hpp)
@@ -47,7 +47,7 @@ inline double widest_window(const ContactModel& model) { return 0.98 * model.rad
 inline double widest_across(const ContactModel& model) {
   if (!model.outline) return widest_window(model);
   // Beside a profile there is room for what shows that its end is in contact.
-  return model.outline->is_profile() ? 2 * model.outline->reach() : 0.98 * model.outline->reach();
+  return model.profiled() ? 2 * model.outline->reach() : 0.98 * model.outline->reach();
 }
 
 }  // namespace rollres

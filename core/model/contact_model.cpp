@@ -48,14 +48,6 @@ std::optional<double> per_metre(std::optional<double> of_body, const RollingScen
   return of_body;
 }
 
-std::optional<RollerOutline> outline_of(const RollingScene& scene) {
-  if (scene.indenter == Indenter::roller && scene.transverse_radius)
-    return RollerOutline(scene.radius, *scene.transverse_radius, scene.crown);
-  if (scene.indenter == Indenter::profile && profile_fault(scene).empty())
-    return RollerOutline(scene.radius, scene.profile_places, scene.profile_heights);
-  return std::nullopt;
-}
-
 BondedLayer first_layer(const RollingScene& scene) {
   BondedLayer layer;
   static_cast<MaterialInputs&>(layer) = scene;

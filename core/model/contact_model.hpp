@@ -91,9 +91,11 @@ struct ContactModel {
   bool skewed() const { return dimension == 2 && (skew != 0 || side_force); }
   /// Whether the contact is its own mirror image in y. The model of a sphere is in the frame of the travel.
   bool mirrored() const {
-    if (dimension == 2 || (friction_coefficient == 0 && !outline)) return true;  // whatever turns a round one
-    return skew == 0 && camber == 0 && pivot == 0 && !side_force && (!outline || outline->even());
+    const bool straight = skew == 0 && camber == 0 && pivot == 0 && !side_force;
+    return dimension == 2 || has_mirror(friction_coefficient > 0, straight, outline);
   }
+  /// Whether it is a roller whose outline is given by points.
+  bool profiled() const { return outline && outline->is_profile(); }
   /// Unit vector along the axle, to its left end.
   std::array<double, 3> axle() const;
   /// Whether there are displacements, and with friction tractions, along y.

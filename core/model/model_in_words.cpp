@@ -28,8 +28,7 @@ std::string pressed(const ContactModel& model) {
 }
 
 std::string body_in_words(const ContactModel& model) {
-  if (model.outline && model.outline->is_profile())
-    return words("rigid roller, profile up to ", model.outline->reach(), " m from its middle");
+  if (model.profiled()) return words("rigid roller, profile up to ", model.outline->reach(), " m from its middle");
   if (model.outline)
     return words("rigid roller, crown of ", model.outline->transverse_radius(), " m (", name_of(model.outline->crown()),
                  ")");

@@ -2,10 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <optional>
 
 #include "core/messages/message_text.hpp"
-#include "core/model/roller_outline.hpp"
 
 namespace rollres {
 
@@ -111,12 +109,12 @@ std::string profile_fault(const RollingScene& scene) {
   return fault_of_heights(scene);
 }
 
-bool has_mirror(const RollingScene& scene) {
-  if (dimension_of(scene.indenter) == 2) return true;
-  if (scene.indenter == Indenter::sphere && scene.friction_coefficient == 0) return true;
-  if (!is_straight(scene)) return false;
-  return scene.indenter != Indenter::profile || !profile_fault(scene).empty() ||
-         RollerOutline(scene.radius, scene.profile_places, scene.profile_heights).even();
+std::optional<RollerOutline> outline_of(const RollingScene& scene) {
+  if (scene.indenter == Indenter::roller && scene.transverse_radius)
+    return RollerOutline(scene.radius, *scene.transverse_radius, scene.crown);
+  if (scene.indenter == Indenter::profile && profile_fault(scene).empty())
+    return RollerOutline(scene.radius, scene.profile_places, scene.profile_heights);
+  return std::nullopt;
 }
 
 std::vector<std::string> broken_motion_rules(const RollingScene& scene) {

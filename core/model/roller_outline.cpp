@@ -124,7 +124,7 @@ std::optional<double> RollerOutline::hidden_place(double sine) const {
       places.push_back(piece.from + (piece.to - piece.from) * static_cast<double>(part) / parts);
   // Level places y cos g + rho sin g shall go on outwards, or turn back for good.
   for (const int side : {-1, 1}) {
-    if (side < 0) std::reverse(places.begin(), places.end());
+    std::reverse(places.begin(), places.end());
     double farthest = -INFINITY;
     bool turned_back = false;
     for (const double along : places) {
@@ -134,7 +134,6 @@ std::optional<double> RollerOutline::hidden_place(double sine) const {
       turned_back = turned_back || level < farthest;
       farthest = std::max(farthest, level);
     }
-    if (side < 0) std::reverse(places.begin(), places.end());
   }
   return std::nullopt;
 }

@@ -64,4 +64,11 @@ class RollerOutline {
   bool even_ = true;
 };
 
+/// Whether the contact of a body in 3D is its own mirror image in y: of a ball without friction whatever turns it, else
+/// of straight motion and an outline that is its own mirror image. @param outline of a roller, none of a sphere
+inline bool has_mirror(bool friction, bool straight, const std::optional<RollerOutline>& outline) {
+  if (!outline) return straight || !friction;
+  return straight && outline->even();
+}
+
 }  // namespace rollres

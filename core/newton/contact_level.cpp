@@ -114,13 +114,13 @@ SurfaceGrid follow(const ContactLevel& level, const SurfaceGrid& like, double ma
 
 std::optional<double> end_in_contact(const ContactLevel& level) {
   const ContactProblem& problem = *level.problem;
-  if (!problem.model.outline || !problem.model.outline->is_profile()) return std::nullopt;
+  if (!problem.model.profiled()) return std::nullopt;
   const SurfaceGrid& grid = problem.grid;
-  for (int row = 0; row < grid.rows; ++row)
-    for (int column = 0; column < grid.columns; ++column)
-      if (level.outcome.zone[static_cast<std::size_t>(grid.index(column, row))] != Zone::free)
-        for (const double aside : {-grid.spacing_y, grid.spacing_y})
-          if (const double y = grid.y(row) + aside; !problem.shape.covers(grid.x(column), y)) return grid.y(row);
+  for (int node = 0; node < grid.size(); ++node) {
+    if (level.outcome.zone[static_cast<std::size_t>(node)] == Zone::free) continue;
+    const double x = grid.x(node % grid.columns), y = grid.y(node / grid.columns);
+    if (!problem.shape.covers(x, y - grid.spacing_y) || !problem.shape.covers(x, y + grid.spacing_y)) return y;
+  }
   return std::nullopt;
 }
 

@@ -84,7 +84,7 @@ EdgeCorrection correction_of(const ContactLevel& level) {
   if (!problem.plane || model.kinematics != Kinematics::consistent || model.adhesion_threshold > 0 || !model.load)
     return {};
   // Whose contact is turned, or no ellipse.
-  if (model.outline && (!model.mirrored() || model.outline->is_profile())) return {};
+  if (model.outline && (!model.mirrored() || model.profiled())) return {};
   const ContactUnknowns& x = level.outcome.unknowns;
   const double turning = problem.turning_ratio(x.rotation_ratio) / problem.shape.radius();
   PressedSphere sphere{model, problem.grid, *level.influence, problem.profile, problem.load.of_pressure, {}};
@@ -199,8 +199,7 @@ double NestedOutcome::error_estimate(const GridError& error, double resistance) 
                         : expected_change(finest.problem->model.dimension, last, change_before, finest.powers,
                                           edge_trust(finest.problem->model, finest.edge.trust, error));
   // Hollows of a profile that cells pass over make changes irregular.
-  const std::optional<RollerOutline>& outline = finest.problem->model.outline;
-  if (outline && outline->is_profile() && last > to_come) to_come = last;
+  if (finest.problem->model.profiled() && last > to_come) to_come = last;
   return error.estimate(resistance, limit(&GridNumbers::resistance).change_left(to_come)) +
          rounding * finest.powers.halves;
 }

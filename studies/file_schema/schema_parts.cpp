@@ -198,7 +198,7 @@ Json scene_texts() {
                                      {"minLength", 1},
                                      {"description",
                                       "CSV file with the profile of a roller along its axle, relative to this file: y "
-                                      "[m], rising, height [m] over the lowest point"}};
+                                      "[m], rising, height [m] counted from the smallest"}};
   return texts;
 }
 

@@ -5,10 +5,9 @@
 #include <ostream>
 #include <stdexcept>
 
-#include <nlohmann/json.hpp>
-
 #include "studies/program/completion.hpp"
 #include "studies/text/printable.hpp"
+#include "studies/text/strict_json.hpp"
 #include "studies/text/words.hpp"
 
 #ifndef ROLLRES_VERSION
@@ -46,14 +45,14 @@ std::string version_and_libraries() {
   constexpr Library known[] = {
 #include "libraries.inc"
   };
-  nlohmann::ordered_json libraries = nlohmann::ordered_json::array();
+  Json libraries = Json::array();
   for (const Library& library : known)
     libraries.push_back({{"name", library.name}, {"version", library.version}, {"licence", library.licence}});
-  const nlohmann::ordered_json all{{"program", "rollres"},
-                                   {"version", ROLLRES_VERSION},
-                                   {"licence_of_sources", "MIT"},
-                                   {"licence_of_binary", "GPL-3.0-or-later"},
-                                   {"libraries", libraries}};
+  const Json all{{"program", "rollres"},
+                 {"version", ROLLRES_VERSION},
+                 {"licence_of_sources", "MIT"},
+                 {"licence_of_binary", "GPL-3.0-or-later"},
+                 {"libraries", libraries}};
   return all.dump(2);
 }
 

@@ -2,8 +2,6 @@
 #include <sys/resource.h>
 
 #include <algorithm>
-#include <cstdlib>
-#include <filesystem>
 #include <functional>
 #include <iostream>
 #include <system_error>
@@ -40,15 +38,6 @@ int on_enough_stack(const std::function<int()>& program) {
   return status;
 }
 
-/// A copied folder (studies/portable.sh) holds the units' database, which a library of the system has a fixed place
-/// for.
-void take_units_of_folder() {
-  std::error_code none;
-  const auto program = std::filesystem::read_symlink("/proc/self/exe", none);
-  const auto units = program.parent_path().parent_path() / "share/rollres/udunits/udunits2.xml";
-  if (std::filesystem::exists(units, none)) ::setenv("UDUNITS2_XML_PATH", units.c_str(), 0);
-}
-
 }  // namespace
 
 int main(int count, char** words) {
@@ -59,7 +48,6 @@ int main(int count, char** words) {
   mallopt(M_TRIM_THRESHOLD, 64 << 20);
 #endif
   rollres::end_in_words_at_signals();
-  take_units_of_folder();
   return on_enough_stack([&] {
     return rollres::run_program({words + std::min(count, 1), words + count}, {std::cout, std::cerr, rollres::solve});
   });

@@ -23,7 +23,7 @@
 /// b_T at least, and note.
 ///
 /// And the profile of a roller along its axle: {"indenter": "profile", "profile_file": "tread.csv"}, with the columns
-/// y [m], rising, height [m] over the lowest point, and note.
+/// y [m], rising, height [m] counted from the smallest, and note.
 
 #include <array>
 #include <filesystem>

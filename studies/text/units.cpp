@@ -6,6 +6,8 @@
 #include <array>
 #include <charconv>
 #include <cmath>
+#include <cstdlib>
+#include <filesystem>
 #include <map>
 #include <memory>
 #include <mutex>
@@ -40,11 +42,21 @@ std::string with_root(std::string text) {
 
 std::mutex udunits;  // the library keeps global state: one thread at a time
 
+/// The database of units beside the program in a copied folder (studies/portable.sh); else that of the environment, or
+/// the library's own.
+System read_units() {
+  std::error_code none;
+  const auto program = std::filesystem::read_symlink("/proc/self/exe", none);
+  const auto beside = program.parent_path().parent_path() / "share/rollres/udunits/udunits2.xml";
+  const bool taken = !std::getenv("UDUNITS2_XML_PATH") && std::filesystem::exists(beside, none);
+  return System(ut_read_xml(taken ? beside.c_str() : nullptr));
+}
+
 /// Call with `udunits` held.
 ut_system* unit_system() {
   static const System system = [] {
     ut_set_error_message_handler(ut_ignore);
-    System read(ut_read_xml(nullptr));
+    System read = read_units();
     if (!read)
       throw std::runtime_error("the database of units (udunits2) cannot be read; is libudunits2-data installed?");
     // Speeds of vehicles and belts that the library lacks, and the usual name of a degree.

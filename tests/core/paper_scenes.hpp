@@ -29,6 +29,14 @@ inline RollingScene paper_sphere() {
   return scene;
 }
 
+/// The sphere that nothing drives, with the consistent kinematics.
+inline RollingScene free_paper_sphere() {
+  RollingScene scene = paper_sphere();
+  scene.kinematics = Kinematics::consistent;
+  scene.drive = Drive::free;
+  return scene;
+}
+
 inline RollingScene frictionless(RollingScene scene) {
   scene.friction_coefficient = 0;
   return scene;

@@ -17,9 +17,7 @@ namespace {
 constexpr double reach = 9.8e-3;
 
 RollingScene free_roller() {
-  RollingScene scene = paper_sphere();
-  scene.kinematics = Kinematics::consistent;
-  scene.drive = Drive::free;
+  RollingScene scene = free_paper_sphere();
   scene.spacing.reset();
   return scene;
 }

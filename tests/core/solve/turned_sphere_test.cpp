@@ -15,15 +15,8 @@ namespace {
 
 constexpr double one_degree = M_PI / 180;
 
-RollingScene free_sphere() {
-  RollingScene scene = paper_sphere();
-  scene.kinematics = Kinematics::consistent;
-  scene.drive = Drive::free;
-  return scene;
-}
-
 RollingScene turned(double skew, double camber, double pivot) {
-  RollingScene scene = free_sphere();
+  RollingScene scene = free_paper_sphere();
   scene.skew_angle = skew;
   scene.camber_angle = camber;
   scene.pivot = pivot;
@@ -92,7 +85,7 @@ TEST_CASE("a sphere under camber is the straight one with as much spin", "[core]
 }
 
 TEST_CASE("without an angle the whole grid answers as the folded one", "[core][turned]") {
-  const RollingSolution straight = converged(free_sphere());
+  const RollingSolution straight = converged(free_paper_sphere());
   CHECK(std::isnan(straight.lateral_force));
   const RollingSolution whole = converged(turned(1e-13, 0, 0));
   CHECK(whole.rolling_resistance == Approx(straight.rolling_resistance).epsilon(1e-9));
@@ -129,7 +122,7 @@ TEST_CASE("small creepages and spin of a sphere on an elastic half-space meet Ka
   // At a = b, nu = 1/2, extrapolated by another program: C22 3.989, C23 1.634, C33 1.165. One body yields alone, which
   // doubles the modulus. Slip leaves the first order: mu is large.
   constexpr double radius = 1, half_width = 2e-3, modulus = 1e6, small = 1e-6;
-  RollingScene scene = free_sphere();
+  RollingScene scene = free_paper_sphere();
   scene.material = MaterialModel::elastic;
   scene.static_shear_modulus = modulus;
   scene.layer_thickness = INFINITY;
