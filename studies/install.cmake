@@ -28,7 +28,7 @@ install(FILES ${written}/_rollres DESTINATION ${CMAKE_INSTALL_DATADIR}/zsh/vendo
 install(FILES ${written}/rollres.fish DESTINATION ${CMAKE_INSTALL_DATADIR}/fish/vendor_completions.d COMPONENT program)
 
 install(TARGETS rollres RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR} COMPONENT program)
-install(TARGETS rollres_ceres LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR}/rollres COMPONENT program)
+install(TARGETS rollres_ceres rollres_http LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR}/rollres COMPONENT program)
 install(DIRECTORY studies/examples studies/schema DESTINATION ${CMAKE_INSTALL_DATADIR}/rollres COMPONENT program)
 install(FILES README.md CITATION.cff ${written}/changelog.gz ${written}/changelog.Debian.gz DESTINATION ${CMAKE_INSTALL_DOCDIR} COMPONENT program)
 install(FILES studies/guide.md studies/recipes.md studies/keys.md DESTINATION ${CMAKE_INSTALL_DOCDIR}/studies COMPONENT program)
@@ -43,7 +43,7 @@ licence:
 @licence@")
 install(FILES ${written}/copyright DESTINATION ${CMAKE_INSTALL_DOCDIR} COMPONENT program)
 
-add_custom_target(portable COMMAND sh ${CMAKE_SOURCE_DIR}/studies/portable.sh ${CMAKE_BINARY_DIR} DEPENDS rollres rollres_ceres)
+add_custom_target(portable COMMAND sh ${CMAKE_SOURCE_DIR}/studies/portable.sh ${CMAKE_BINARY_DIR} DEPENDS rollres rollres_ceres rollres_http)
 if(TARGET rollres_python)
   add_dependencies(portable rollres_python)
 endif()

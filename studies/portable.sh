@@ -16,7 +16,7 @@ mkdir -p "$licences" "$folder/share/rollres/udunits"
 cp /usr/share/xml/udunits/*.xml "$folder/share/rollres/udunits/"
 
 # Those of glibc and its loader go with the system's kernel and names.
-ldd "$folder/bin/rollres" "$fits" | awk '$2 == "=>" && $3 ~ /^\// {print $1, $3}' | sort -u |
+ldd "$folder/bin/rollres" "$fits" "$libraries/librollres_http.so" | awk '$2 == "=>" && $3 ~ /^\// {print $1, $3}' | sort -u |
   grep -Ev '^(libc|libm|libdl|librt|libpthread|libresolv)\.so\.' | while read -r library path; do
   cp -L "$path" "$libraries/$library"
   file=$(readlink -f "$path")

@@ -9,6 +9,7 @@ ninja-build: builds
 pkg-config: finds FFTW, NLopt and muParser
 git: names the commit that results state
 catch2: catch2/catch.hpp
+libcpp-httplib-dev: httplib.h
 libboost-dev: boost/math/distributions, boost/random/sobol.hpp
 libceres-dev: ceres/ceres.h
 libcli11-dev: CLI/CLI.hpp

@@ -131,7 +131,7 @@ std::string sql_of(SQLite::Database& connection, const Query& query, std::vector
                (*prefix ? " AS " + std::string(prefix) + std::to_string(i) : std::string());
   const std::string where = where_clause(query.filters, known, bound);
   std::string order = order_terms(query.sort, known);
-  const std::string limit = limit_clause(query.limit, bound);
+  const std::string limit = limit_clause(query.limit, bound, query.offset);
   const std::string select = "SELECT " + (columns.empty() ? "*" : columns) + " FROM ";
   if (with_study) {
     const bool older = !has_column(known, std::string(point_columns.back()));  // a file that is read as it is

@@ -57,6 +57,7 @@ struct Query {
   std::vector<std::string> columns = {};  ///< empty: all
   std::vector<std::string> sort = {};     ///< "-speed": from large to small; the first counts most, absent ones last
   std::optional<std::int64_t> limit = {};
+  std::int64_t offset = 0;                    ///< so many rows are left out before; with a limit only
   std::vector<ComputedColumn> computed = {};  ///< which the others may name
 };
 

@@ -207,11 +207,13 @@ std::string order_terms(const std::vector<std::string>& sort, const Columns& kno
   return terms;
 }
 
-std::string limit_clause(const std::optional<std::int64_t>& limit, std::vector<Cell>& bound) {
+std::string limit_clause(const std::optional<std::int64_t>& limit, std::vector<Cell>& bound, std::int64_t offset) {
   if (!limit) return "";
   if (*limit < 0) throw std::invalid_argument("limit = " + std::to_string(*limit) + ": must be >= 0");
   bound.emplace_back(*limit);
-  return " LIMIT ?";
+  if (offset == 0) return " LIMIT ?";
+  bound.emplace_back(offset);
+  return " LIMIT ? OFFSET ?";
 }
 
 Table rows_of(SQLite::Statement& statement) {

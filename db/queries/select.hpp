@@ -44,9 +44,9 @@ struct SortKey {
 /// "speed DESC NULLS LAST, ", one for each key; `known` are the columns that may be named.
 std::string order_terms(const std::vector<std::string>& sort, const Columns& known);
 
-/// " LIMIT ?", or nothing; appends what it binds.
+/// " LIMIT ?", with " OFFSET ?" where rows are left out before, or nothing; appends what it binds.
 /// @throws std::invalid_argument if it is negative
-std::string limit_clause(const std::optional<std::int64_t>& limit, std::vector<Cell>& bound);
+std::string limit_clause(const std::optional<std::int64_t>& limit, std::vector<Cell>& bound, std::int64_t offset = 0);
 
 /// All rows of a statement, under its own names of columns.
 Table rows_of(SQLite::Statement& statement);

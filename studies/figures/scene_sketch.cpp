@@ -69,6 +69,7 @@ class SceneSketch {
                   std::isfinite(solution.trailing_edge)),
         layers_{{scene.layer_thickness, &scene}},
         unit_(scaled_unit("m", scene.radius)),
+        coating_yields_(coating_yields(scene)),
         picture_(title, files, {}, span_of_view().first, {}, span_of_view().second) {
     for (const BondedLayer& layer : scene.lower_layers) layers_.push_back({layer.layer_thickness, &layer});
   }
@@ -76,7 +77,7 @@ class SceneSketch {
   PictureText text() {
     picture_.script() << "unset border\nunset tics\nunset grid\nunset xlabel\nunset ylabel\n";
     measure();
-    if (coating_yields()) {
+    if (coating_yields_) {
       draw_body();
       draw_layers();
     } else {
@@ -143,23 +144,13 @@ class SceneSketch {
     return contact_length() * contact_length() / (8 * radius());
   }
 
-  /// Whether the body's coatings give way more than the layers under it.
-  bool coating_yields() const {
-    if (scene_.coating_layers.empty()) return false;
-    const auto stiffness = [&](const MaterialInputs& layer, double thickness) {
-      return std::abs(complex_modulus(layer, 0.0)) / std::min(thickness, scene_.radius);
-    };
-    const BondedLayer& coating = scene_.coating_layers.front();
-    return stiffness(coating, coating.layer_thickness) < stiffness(scene_, scene_.layer_thickness);
-  }
-
   double bottom_of_body(double x) const {
     return radius() - approach_ - std::sqrt(std::max(radius() * radius() - x * x, 0.0));
   }
 
   /// Height of the layers' surface: the body's in the contact, beyond it a curve that falls to zero.
   double surface(double x) const {
-    if (!answered_ || coating_yields()) return 0;
+    if (!answered_ || coating_yields_) return 0;
     const double ahead = in_unit(solution_.leading_edge), behind = in_unit(solution_.trailing_edge);
     const double edge = std::clamp(x, behind, ahead), height = bottom_of_body(edge);
     if (edge == x) return height;
@@ -220,7 +211,7 @@ class SceneSketch {
     for (int i = 0; i < pieces; ++i) {
       const double angle = 2 * std::numbers::pi * i / pieces;
       const double z = radius() - approach_ + r * std::sin(angle);
-      points.push_back({r * std::cos(angle), coating_yields() ? std::max(z, 0.0) : z});
+      points.push_back({r * std::cos(angle), coating_yields_ ? std::max(z, 0.0) : z});
     }
     return points;
   }
@@ -249,7 +240,7 @@ class SceneSketch {
     constexpr int pieces = 400;
     for (int i = 0; i <= pieces; ++i) {
       const double x = behind + (ahead - behind) * i / pieces;
-      const double z = coating_yields() ? 0 : surface(x);
+      const double z = coating_yields_ ? 0 : surface(x);
       if (!zones) {
         all.push_back({x, z});
         continue;
@@ -418,6 +409,7 @@ class SceneSketch {
   bool answered_;  // and the contact is known
   std::vector<DrawnLayer> layers_;
   ScaledUnit unit_;
+  bool coating_yields_;
   PictureBuilder picture_;
   double half_width_ = 1, top_ = 1, bottom_ = -1, deepest_ = 0, approach_ = 0;
   std::vector<double> depths_;  // of the layers' upper sides
@@ -425,6 +417,15 @@ class SceneSketch {
 };
 
 }  // namespace
+
+bool coating_yields(const RollingScene& scene) {
+  if (scene.coating_layers.empty()) return false;
+  const auto stiffness = [&](const MaterialInputs& layer, double thickness) {
+    return std::abs(complex_modulus(layer, 0.0)) / std::min(thickness, scene.radius);
+  };
+  const BondedLayer& coating = scene.coating_layers.front();
+  return stiffness(coating, coating.layer_thickness) < stiffness(scene, scene.layer_thickness);
+}
 
 PictureText scene_sketch(const RollingScene& scene, const RollingSolution& solution, const std::string& title,
                          const ChartFiles& files) {

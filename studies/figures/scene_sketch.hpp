@@ -12,6 +12,9 @@
 
 namespace rollres {
 
+/// Whether the body's coatings give way more than the layers under it: then these are drawn flat.
+bool coating_yields(const RollingScene& scene);
+
 /// Script and data of the sketch. @param solution  of the scene; it may have no answer, and no fields
 PictureText scene_sketch(const RollingScene& scene, const RollingSolution& solution, const std::string& title,
                          const ChartFiles& files);

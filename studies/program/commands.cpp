@@ -27,7 +27,8 @@ struct CommandGroup {
 /// Every command, in the order of the help text.
 const std::vector<CommandGroup>& command_groups() {
   static const std::vector<CommandGroup> groups{
-      {"One scene", {add_new, add_solve, add_draw, add_figures, add_material, add_gradient, add_sensitivity}},
+      {"One scene",
+       {add_new, add_solve, add_explore, add_draw, add_figures, add_material, add_gradient, add_sensitivity}},
       {"Studies, designs and fits", {add_plan, add_sweep, add_scatter, add_optimise, add_fit}},
       {"What is stored", {add_status, add_list, add_show, add_query, add_compare, add_chart, add_report, add_film}},
       {"Databases and clusters", {add_merge, add_upkeep, add_export, add_import, add_slurm}},

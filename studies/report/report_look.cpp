@@ -6,15 +6,15 @@ namespace rollres::html {
 
 namespace {
 
-/// The files of this folder by their endings: ".css".
+/// Files of this folder by their names.
 const std::map<std::string_view, std::string_view> texts{
 #include "report_texts.inc"
 };
 
 }  // namespace
 
-std::string_view style() { return texts.at(".css"); }
+std::string_view style() { return texts.at("report.css"); }
 
-std::string_view script() { return texts.at(".js"); }
+std::string script() { return std::string(texts.at("ticks.js")) + std::string(texts.at("report.js")); }
 
 }  // namespace rollres::html

@@ -10,6 +10,6 @@ namespace rollres::html {
 std::string_view style();
 
 /// Sorts tables by a click on a head, shows one curve of a chart alone. Nothing is hidden without it.
-std::string_view script();
+std::string script();
 
 }  // namespace rollres::html

@@ -1,0 +1,105 @@
+// Studies of the database: a chart whose points open their scenes, rows a screen at a time, the report.
+import { draw } from './chart.js';
+
+export class Studies {
+  constructor(by, made, ask, open, notice) {
+    Object.assign(this, { by, made, ask, open, notice, offset: 0, sort: '', list: [] });
+    for (const id of ['study-x', 'study-y', 'study-family', 'study-where'])
+      by(id).addEventListener('change', () => { this.offset = 0; this.refresh(); });
+    by('study').addEventListener('change', () => this.choose(by('study').value));
+    by('earlier').addEventListener('click', () => this.turn(-100));
+    by('later').addEventListener('click', () => this.turn(100));
+    by('report').addEventListener('click', () => {
+      by('report-frame').hidden = false;
+      by('report-frame').src = 'report?study=' + encodeURIComponent(by('study').value);
+    });
+  }
+
+  async show(name) {
+    const found = await this.ask('studies');
+    this.list = [...found.studies, ...found.fits.map((fit) => ({ name: fit.name, fit: true, axes: [], status: fit.status }))];
+    this.by('no-studies').hidden = this.list.length > 0;
+    const before = name ?? this.by('study').value;
+    this.by('study').replaceChildren(...this.list.map((study) => this.made('option', { value: study.name, textContent: study.name + (study.fit ? ' (fit)' : '') })));
+    if (this.list.length === 0) return;
+    this.by('study').value = this.list.some((study) => study.name === before) ? before : this.list[0].name;
+    await this.choose(this.by('study').value);
+  }
+
+  async choose(name) {
+    const study = this.list.find((one) => one.name === name);
+    this.offset = 0;
+    this.sort = '';
+    this.by('report-frame').hidden = true;
+    for (const id of ['study-x', 'study-family'])
+      this.by(id).replaceChildren(this.made('option', { value: '', textContent: 'as the study says' }), ...study.axes.map((key) => this.made('option', { value: key, textContent: key })));
+    if (this.by('study-y').options.length === 0)
+      this.by('study-y').append(this.made('option', { value: '', textContent: 'as the study says' }), ...[...document.querySelectorAll('#curve-y option')].map((option) => option.cloneNode(true)));
+    this.by('study-state').textContent = study.fit ? 'A fit, ' + study.status + ': its report has data, residuals and intervals.'
+      : study.answered + ' of ' + study.points + ' points are answered, ' + study.failed + ' of them without a solution.' + (study.note ? ' ' + study.note : '');
+    if (study.fit) {
+      this.by('study-chart').replaceChildren();
+      this.by('rows').tBodies[0].replaceChildren();
+    } else await this.refresh();
+  }
+
+  question(more = {}, filters = []) {
+    const where = [...this.by('study-where').value.split(';'), ...filters].map((line) => line.trim()).join('\n');
+    return new URLSearchParams({ study: this.by('study').value, where, ...more }).toString();
+  }
+
+  async refresh() {
+    try {
+      const chart = await this.ask('chart?' + this.question({ x: this.by('study-x').value, y: this.by('study-y').value, family: this.by('study-family').value }));
+      draw(this.by('study-chart'), chart, { height: 340, words: chart.title, chosen: (curve, point) => this.open_point(chart, curve, point) });
+      this.notice('');
+    } catch (error) {
+      this.by('study-chart').replaceChildren();
+      this.notice(error.message);
+    }
+    await this.rows();
+  }
+
+  // The scene of a mark: of the row with its x and, where one axis tells the curves apart, with that one's value.
+  async open_point(chart, curve, point) {
+    const axes = this.list.find((one) => one.name === this.by('study').value).axes, x = this.by('study-x').value || axes[0];
+    const others = axes.filter((key) => key !== x), family = this.by('study-family').value || (others.length === 1 ? others[0] : '');
+    const one = chart.curves[curve], where = [x + '=' + one.points[point][0].toPrecision(6) + ' ' + (chart.x.unit === '1' ? '' : chart.x.unit)];
+    if (family && one.label) where.push(family + '=' + one.label);
+    try {
+      const found = await this.ask('rows?' + this.question({ limit: 1 }, where));
+      if (found.rows.length) this.open((await this.ask('point?id=' + found.rows[0][0])).scene);
+    } catch (error) { this.notice(error.message); }
+  }
+
+  turn(step) {
+    this.offset = Math.max(0, Math.min(this.offset + step, Math.max(0, this.all - 1)));
+    return this.rows();
+  }
+
+  async rows() {
+    let found;
+    try {
+      found = await this.ask('rows?' + this.question({ offset: this.offset, limit: 100, sort: this.sort }));
+    } catch (error) { return this.notice(error.message); }
+    this.all = found.all;
+    this.by('rows-place').textContent = found.rows.length ? found.offset + 1 + ' to ' + (found.offset + found.rows.length) + ' of ' + found.all : 'none';
+    this.by('earlier').disabled = this.offset === 0;
+    this.by('later').disabled = this.offset + found.rows.length >= found.all;
+    const heads = found.columns.map((name, n) => {
+      const key = found.keys[n], button = this.made('button', { type: 'button', textContent: name });
+      const head = this.made('th', { scope: 'col' }, button);
+      if (this.sort === key) head.ariaSort = 'ascending';
+      if (this.sort === '-' + key) head.ariaSort = 'descending';
+      button.addEventListener('click', () => { this.sort = this.sort === key ? '-' + key : key; this.offset = 0; this.rows(); });
+      return head;
+    });
+    this.by('rows').tHead.replaceChildren(this.made('tr', {}, ...heads, this.made('th', { scope: 'col', textContent: 'scene' })));
+    this.by('rows').tBodies[0].replaceChildren(...found.rows.map((row) => {
+      const open = this.made('button', { type: 'button', textContent: 'Open' });
+      open.setAttribute('aria-label', 'Open the scene of row ' + row[0]);
+      open.addEventListener('click', async () => this.open((await this.ask('point?id=' + row[0])).scene));
+      return this.made('tr', {}, ...row.map((cell) => this.made('td', { className: typeof cell === 'number' ? 'number' : '', textContent: cell ?? '–' })), this.made('td', {}, open));
+    }));
+  }
+}
