@@ -434,5 +434,5 @@ async function begin() {
   await changed();
   document.documentElement.dataset.ready = 'yes';
 }
-window.rollres = { measured, changed };
+window.rollres = { measured, idle: () => busy === null && document.documentElement.dataset.ready === 'yes' };
 begin().catch((error) => notice(error.message));

@@ -75,8 +75,8 @@ class Browser:
     def until(self, script, seconds=30):
         end = time.monotonic() + seconds
         while time.monotonic() < end:
-            if found := self.value(script):
-                return found
+            if self.value(f"Boolean({script})"):
+                return
             time.sleep(0.01)
         raise RuntimeError("in vain: " + script)
 
