@@ -189,6 +189,11 @@ function show_answer(reply) {
 
 const current = () => JSON.parse(JSON.stringify(scene));
 const three = () => (scene.indenter ?? 'cylinder') !== 'cylinder';
+// Points of a curve while a hand moves, and once it rests: fewer of scenes that take long.
+const seconds = () => (three() ? 0.05 : 0) + (answer?.answer.seconds ?? 0);
+const points_in_motion = () => seconds() < 0.008 ? 61 : seconds() < 0.05 ? 13 : 0;
+const points_at_rest = () => three() || seconds() > 0.3 ? 13 : 61;
+const dear = () => points_in_motion() < 61;
 
 let busy = null, waiting = false;
 async function follow() {
@@ -201,10 +206,9 @@ async function follow() {
       show_answer(first);
       measured.first = performance.now() - began;
       if (first.coarse && !waiting) show_answer(await ask('answer', { scene: asked, wish: wish('answer') }));
-      if (!waiting && live_curve()) await ask_curve(asked);
     } else {
-      const [reply] = await Promise.all([ask('answer', { scene: asked, wish: wish('answer') }), ask_curve(asked)]);
-      show_answer(reply);
+      const number_first = ask('answer', { scene: asked, wish: wish('answer') }).then(show_answer);
+      await Promise.all([number_first, ask_curve(asked, points_in_motion())]);
     }
     say_refusal(null);
   } catch (error) {
@@ -218,7 +222,7 @@ async function follow() {
 // At most one question is under way and one waits: the newest.
 let pause = null;
 export function changed() {
-  if (busy && three()) ask('newer', { wish: wish('answer') });  // gives up what is solved
+  if (dear()) for (const view of busy ? ['answer', 'curve'] : ['curve']) ask('newer', { wish: wish(view) });  // gives up what is solved
   if (busy) { waiting = true; return busy; }
   busy = (async () => {
     do {
@@ -229,19 +233,18 @@ export function changed() {
     busy = null;
   })();
   clearTimeout(pause);
-  pause = setTimeout(show_materials, 300);
+  pause = setTimeout(rest, 300);
   return busy;
 }
 
 // ---- The curve.
-const live_curve = () => !three() || (answer && answer.answer.seconds < 0.05);
 function curve_wish() {
-  return { x: by('curve-x').value, y: by('curve-y').value, from: number(by('curve-from').value), to: number(by('curve-to').value), logarithmic: by('curve-log').checked, points: live_curve() ? 60 : 12 };
+  return { x: by('curve-x').value, y: by('curve-y').value, from: number(by('curve-from').value), to: number(by('curve-to').value), logarithmic: by('curve-log').checked };
 }
 
-async function ask_curve(asked) {
-  const wanted = curve_wish();
-  if (!(wanted.to > wanted.from)) return;
+async function ask_curve(asked, points) {
+  const wanted = { ...curve_wish(), points };
+  if (!(wanted.to > wanted.from) || !points) return;
   const found = await ask('curve', { scene: asked, curve: wanted, wish: wish('curve') });
   curve = { ...wanted, points: found.x.map((x, n) => {
     const y = found.y[n], error = found.y_error[n];
@@ -284,7 +287,12 @@ function centre_curve() {
   by('curve-unit').textContent = typeset(unit_of(input) === '1' ? '' : unit_of(input));
 }
 
-// ---- Materials, insides, models: asked when the hand rests, or on request.
+// ---- Materials, insides, models, curves of spheres: asked when the hand rests, or on request.
+async function rest() {
+  await busy;
+  if (dear()) ask_curve(current(), points_at_rest()).catch((error) => error.superseded || notice(error.message));
+  return show_materials();
+}
 async function show_materials() {
   try {
     const found = await ask('materials', { scene: current() });

@@ -210,7 +210,7 @@ def main():
             for step in range(12):
                 moved(browser, key, 0.4 + 0.01 * step)
             times = browser.value("rollres.measured.events")
-            print(f"{key}: from the event to numbers and a curve of 60 points, median {statistics.median(times):.0f} ms, largest {max(times):.0f} ms")
+            print(f"{key}: from the event to numbers and a curve of 61 points, median {statistics.median(times):.0f} ms, largest {max(times):.0f} ms")
         same_as_command_line(browser)
         for task in (scene_from_nothing, three_compounds, speed_of_largest_resistance, study_run_and_stored, worst_point_of_a_study,
                      layers_and_sphere, looks):
