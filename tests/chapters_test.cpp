@@ -64,6 +64,7 @@ constexpr std::array<std::string_view, 50> chapters{"core/scene",
                                                     "studies/predict",
                                                     "studies/sensitivity",
                                                     "studies/report",
+                                                    "studies/explore",
                                                     "studies/file_schema",
                                                     "studies/commands",
                                                     "studies/python"};

@@ -56,8 +56,8 @@ class Browser:
             text += letter
         return json.loads(text)
 
-    def size(self, width, height, dark=False):
-        self.call("Emulation.setDeviceMetricsOverride", width=width, height=height, deviceScaleFactor=1, mobile=False)
+    def size(self, width, height, dark=False, scale=1):
+        self.call("Emulation.setDeviceMetricsOverride", width=width, height=height, deviceScaleFactor=scale, mobile=False)
         self.call("Emulation.setEmulatedMedia", features=[{"name": "prefers-color-scheme", "value": "dark" if dark else "light"}])
 
     def open(self, address):
@@ -97,8 +97,9 @@ class Browser:
         self.value(f"""(() => {{ const one = document.querySelector({json.dumps(selector)}); one.value = {json.dumps(value)};
             one.dispatchEvent(new Event('change', {{bubbles: true}})); }})()""")
 
-    def picture(self, file):
-        data = self.call("Page.captureScreenshot", format="png", captureBeyondViewport=True)["data"]
+    def picture(self, file, whole=True):
+        """Of the whole page, or of what is seen of it."""
+        data = self.call("Page.captureScreenshot", format="png", captureBeyondViewport=whole)["data"]
         with open(file, "wb") as out:
             out.write(base64.b64decode(data))
 

@@ -225,4 +225,5 @@ def main():
     assert process.wait(10) == 0, process.stderr.read()
 
 
-main()
+if __name__ == "__main__":
+    main()
