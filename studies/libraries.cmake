@@ -10,6 +10,7 @@ endfunction()
 version_of_file(cholmod cholmod_version)
 version_of_file(udunits2 udunits_version)
 version_of_file(glog glog_version)
+version_of_file(ssl openssl_version)
 version_of_file(xlsxwriter xlsxwriter_version)
 set(rows "")
 foreach(library IN ITEMS
@@ -18,7 +19,7 @@ foreach(library IN ITEMS
     "muParser|${MUPARSER_VERSION}|BSD-2-Clause" "libxlsxwriter|${xlsxwriter_version}|BSD-2-Clause" "UDUNITS|${udunits_version}|UCAR"
     "SQLite|${SQLITE3_VERSION}|blessing" "SQLiteCpp|${SQLiteCpp_VERSION}|MIT" "zlib|${ZLIB_VERSION_STRING}|Zlib" "Eigen|${Eigen3_VERSION}|MPL-2.0"
     "Boost|${Boost_VERSION_STRING}|BSL-1.0" "nlohmann/json|${nlohmann_json_VERSION}|MIT" "CLI11|${CLI11_VERSION}|BSD-3-Clause"
-    "cpp-httplib|${HTTPLIB_VERSION}|MIT" "OpenSSL|${HTTPLIB_openssl_VERSION}|Apache-2.0"
+    "cpp-httplib|${HTTPLIB_VERSION}|MIT" "OpenSSL|${openssl_version}|Apache-2.0"
     "libstdc++|${CMAKE_CXX_COMPILER_VERSION}|GPL-3.0-or-later WITH GCC-exception-3.1")
   string(REPLACE "|" "\", \"" row "${library}")
   string(APPEND rows "{\"${row}\"},\n")

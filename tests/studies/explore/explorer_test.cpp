@@ -15,7 +15,7 @@
 #include "tests/studies/shell.hpp"
 #include "tests/studies/temporary_directory.hpp"
 
-// Covers explored_scene, explored_studies, study_runs, http_server, httplib_server and the page, too.
+// Covers command_explore, explored_scene, explored_studies, study_runs, http_server, httplib_server and the page, too.
 
 using namespace rollres;
 using Catch::Matchers::Contains;
