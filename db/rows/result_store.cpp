@@ -70,7 +70,8 @@ StudySummary read_summary(SQLite::Statement& row) {
           row.getColumn(6).getString(), row.getColumn(7).getString(),        row.getColumn(8).getString()};
 }
 
-/// While it lives, 100 MB of pages are kept in memory: rows that go to random places of an index are then written once.
+/// While it lives, 100 MB of pages are kept in memory: pages of an index to whose random places rows go, or at which
+/// they are looked up, are then written and read once.
 class LargeCache {
  public:
   explicit LargeCache(SQLite::Database& connection)
@@ -165,6 +166,7 @@ struct ResultStore::Parts {
   }
 
   std::vector<StudySummary> summaries(const std::string* name) {
+    const LargeCache cache(connection());
     const std::vector<Column> present = columns_of(connection(), "study");  // an older file is read as it is
     const std::string note = present.back().name == "note" ? "note" : "''";
     SQLite::Statement row(connection(), std::string("SELECT name, axes, count(study_point.key), count(evaluation.id), "

@@ -17,9 +17,9 @@ StudyDefinition definition_of(ResultStore& store, const std::string& study) {
 
 /// The names of all studies that are drawn; a name given twice is one study.
 std::vector<std::string> names_of(ResultStore& store, const StudyChartOptions& options) {
-  std::vector<std::string> names{stored_study(store, options.study).name};
+  std::vector<std::string> names{stored_study_name(store, options.study)};
   for (const std::string& more : options.more_studies)
-    if (const std::string name = stored_study(store, more).name;
+    if (const std::string name = stored_study_name(store, more);
         std::find(names.begin(), names.end(), name) == names.end())
       names.push_back(name);
   return names;
@@ -66,19 +66,22 @@ StudyRows rows_of(ResultStore& store, const std::vector<std::string>& names, con
 }  // namespace
 
 std::vector<std::string> stored_charts(ResultStore& store, const std::string& study) {
-  return definition_of(store, stored_study(store, study).name).chart_names();
+  return definition_of(store, stored_study_name(store, study)).chart_names();
 }
 
 StudyChart chart_of_file(ResultStore& store, const std::string& wanted, const std::string& chart) {
-  const std::string study = stored_study(store, wanted).name;
+  const std::string study = stored_study_name(store, wanted);
   return definition_of(store, study).chart(chart, store.database().name() + ": " + study);
 }
 
 ShownStudy::ShownStudy(ResultStore& store, const StudyChartOptions& options)
+    : ShownStudy(store, names_of(store, options), options.filters) {}
+
+ShownStudy::ShownStudy(ResultStore& store, const std::vector<std::string>& names, const std::vector<Filter>& filters)
     : file(store.database().name()),
-      study(summary_of(store, names_of(store, options))),
-      definition(definition_of(store, names_of(store, options))),
-      rows(rows_of(store, names_of(store, options), options.filters)) {}
+      study(summary_of(store, names)),
+      definition(definition_of(store, names)),
+      rows(rows_of(store, names, filters)) {}
 
 std::size_t ShownStudy::unanswered() const {
   std::size_t count = 0;

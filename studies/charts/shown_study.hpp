@@ -34,6 +34,9 @@ struct ShownStudy {
   std::size_t unanswered() const;  ///< rows that have not converged
   std::string title() const;       ///< the comment of the study file, its first clause where it is long; or the name
   std::string comment() const;     ///< for the head of a data file
+
+ private:
+  ShownStudy(ResultStore& store, const std::vector<std::string>& names, const std::vector<Filter>& filters);
 };
 
 /// Filters as a subtitle says them: "load = 20 kN/m, speed > 1 m/s".

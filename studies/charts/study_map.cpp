@@ -161,7 +161,7 @@ StoredMap stored_map(ResultStore& store, const StudyChartOptions& options) {
   for (double& place : field.x) place = x.unit.number(place);
   for (double& place : field.y) place = y.unit.number(place);
   if (!options.optimum.empty()) {
-    const auto found = stored_optimum(store, stored_study(store, options.optimum).name);
+    const auto found = stored_optimum(store, stored_study_name(store, options.optimum));
     add_optimum(request, found ? &*found : nullptr, options.optimum, axes, x.unit, y.unit);
     add_limits(request, found->problem, rows, nodes);
   }

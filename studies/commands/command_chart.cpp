@@ -94,7 +94,7 @@ void draw(ChartArguments arguments, ResultStore& store, Session& session) {
     const StoredChart chart = stored_chart(store, options);
     return print(chart, draw_chart(chart.request, name_of_files(arguments, chart.study)), session);
   }
-  arguments.out = name_of_files(arguments, stored_study(store, options.study).name).string();
+  arguments.out = name_of_files(arguments, stored_study_name(store, options.study)).string();
   options.map = in_file.map;
   options.x = in_file.x;
   options.y = in_file.y;
@@ -112,7 +112,7 @@ std::filesystem::path one_of_several(const std::filesystem::path& out, const std
 std::string fit_meant(const ChartArguments& arguments, ResultStore& store) {
   if (!arguments.fit.empty()) return arguments.fit;
   const std::vector<FitSummary> fits = stored_fits(store.database());
-  if (arguments.studies.empty()) return store.studies().empty() && fits.size() == 1 ? fits.front().name : "";
+  if (arguments.studies.empty()) return store.study_names().empty() && fits.size() == 1 ? fits.front().name : "";
   const std::string& name = arguments.studies.front();
   const bool is_fit = std::any_of(fits.begin(), fits.end(), [&](const FitSummary& fit) { return fit.name == name; });
   return is_fit && !store.study(name) ? name : "";

@@ -167,7 +167,7 @@ void compare(CompareArguments arguments, Session& session) {
     ResultStore store(other, Access::read);
     for (std::size_t i = 1; i < studies.size(); ++i)
       if (store.study(studies[i]) || !find_fit(store.database(), studies[i]))
-        stored_study(store, studies[i]);  // or refuses, before any is printed
+        stored_study_name(store, studies[i]);  // or refuses, before any is printed
   }
   for (std::size_t i = 1; i < studies.size(); ++i) {
     arguments.studies = {studies.front(), studies[i]};

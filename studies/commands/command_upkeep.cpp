@@ -20,7 +20,7 @@ struct UpkeepArguments {
 /// The name of a study that there is; nothing is created.
 std::string study_of(const UpkeepArguments& arguments) {
   ResultStore store(arguments.database, Access::read);
-  return stored_study(store, arguments.study).name;
+  return stored_study_name(store, arguments.study);
 }
 
 Database opened(const UpkeepArguments& arguments) { return open_database(arguments.database, Access::write); }

@@ -44,7 +44,7 @@ struct Points {
 constexpr std::size_t position_column = 0, status_column = 1, first_input = 2;
 
 Points read_points(ResultStore& store, const std::string& name, const std::vector<std::string>& columns) {
-  stored_study(store, name);  // or refuses
+  stored_study_name(store, name);  // or refuses
   Query query{.filters = {{"study", Comparison::equal, name}}, .columns = columns};
   return {store.database().name() + ": " + name, run_query(store.database(), query).rows};
 }

@@ -50,7 +50,11 @@ Query rows_of_study(const Database& database, const Asked& asked) {
   question.filters.push_back({.column = "study", .value = text_or_empty(asked, "study")});
   question.columns = split_at_commas(text_or_empty(asked, "columns"));
   if (question.columns.empty()) {
-    question.columns = varied_columns(database, question);
+    for (const auto& row : run_sql(database, "SELECT name, axes FROM study").rows)
+      if (row[0] == Cell(text_or_empty(asked, "study"))) {
+        std::istringstream axes(std::get<std::string>(row[1]));
+        for (std::string axis; axes >> axis;) question.columns.push_back(axis);
+      }
     for (const char* const key : {"rolling_resistance", "rolling_resistance_coefficient", "error_estimate", "status"})
       question.columns.emplace_back(key);
   }
@@ -100,11 +104,8 @@ Json rows_for_pages(const std::filesystem::path& database, const Asked& asked) {
   const Database open = open_database(database, Access::read);
   Query question = rows_of_study(open, asked);
   const FormulaDefinitions formulas = add_derived(open, question);
-  GroupQuery count{.filters = question.filters, .aggregates = {{.statistic = Statistic::count}}};
-  add_derived(open, count);
   question.offset = count_in(asked, "offset", 0, farthest);
   question.limit = count_in(asked, "limit", 100, most_rows);
-  const Table all = run_group_query(open, count);
   const std::vector<std::string> keys = question.columns;
   const Table shown = shown_rows(open, question, formulas, ShownUnits::scaled);
   Json rows = Json::array();
@@ -112,11 +113,15 @@ Json rows_for_pages(const std::filesystem::path& database, const Asked& asked) {
     rows.push_back(Json::array());
     for (const Cell& cell : row) rows.back().push_back(json_of(cell));
   }
-  return {{"columns", shown.columns},
-          {"keys", keys},
-          {"rows", rows},
-          {"offset", question.offset},
-          {"all", all.rows.empty() ? Json(0) : json_of(all.rows.front().back())}};
+  return {{"columns", shown.columns}, {"keys", keys}, {"rows", rows}, {"offset", question.offset}};
+}
+
+Json count_for_pages(const std::filesystem::path& database, const Asked& asked) {
+  const Database open = open_database(database, Access::read);
+  GroupQuery count{.filters = rows_of_study(open, asked).filters, .aggregates = {{.statistic = Statistic::count}}};
+  add_derived(open, count);
+  const Table all = run_group_query(open, count);
+  return {{"all", all.rows.empty() ? Json(0) : json_of(all.rows.front().back())}};
 }
 
 Json point_for_pages(const std::filesystem::path& database, const Asked& asked) {

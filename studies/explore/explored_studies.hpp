@@ -26,6 +26,9 @@ Json study_chart_for_pages(const std::filesystem::path& database, const Asked& a
 /// @throws std::invalid_argument as run_query
 Json rows_for_pages(const std::filesystem::path& database, const Asked& asked);
 
+/// How many rows of "study" meet "where": it takes longer than the first of them. @throws as run_query
+Json count_for_pages(const std::filesystem::path& database, const Asked& asked);
+
 /// The scene of the row "id". @throws std::invalid_argument if there is none
 Json point_for_pages(const std::filesystem::path& database, const Asked& asked);
 

@@ -129,6 +129,7 @@ HttpReply Explorer::reply_to(const HttpRequest& request, const std::string& what
     if (what == "/runs") return json_reply(runs_.state());
     if (what == "/chart") return json_reply(study_chart_for_pages(database_, request.query));
     if (what == "/rows") return json_reply(rows_for_pages(database_, request.query));
+    if (what == "/count") return json_reply(count_for_pages(database_, request.query));
     if (what == "/point") return json_reply(point_for_pages(database_, request.query));
     if (what == "/report")
       return {200,

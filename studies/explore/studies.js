@@ -1,6 +1,8 @@
 // Studies of the database: a chart whose points open their scenes, rows a screen at a time, the report.
 import { draw } from './chart.js';
 
+const many = 5000;  // points
+
 export class Studies {
   constructor(by, made, ask, open, notice) {
     Object.assign(this, { by, made, ask, open, notice, offset: 0, sort: '', list: [] });
@@ -40,7 +42,20 @@ export class Studies {
     if (study.fit) {
       this.by('study-chart').replaceChildren();
       this.by('rows').tBodies[0].replaceChildren();
-    } else await this.refresh();
+    } else {
+      if (study.points > many && study.axes.length > 1) await this.fix_axes(study);
+      await this.refresh();
+    }
+  }
+
+  // Of a large study the axes but the last are fixed at first: nobody can tell its curves apart.
+  async fix_axes(study) {
+    const found = await this.ask('rows?' + this.question({ limit: 1, columns: study.axes.join(',') }, []));
+    const first = study.axes.slice(0, -1).map((key) => {
+      const place = found.keys.indexOf(key), unit = /\[(.*)\]$/.exec(found.columns[place]);
+      return key + ' = ' + found.rows[0][place] + (unit ? ' ' + unit[1] : '');
+    });
+    if (this.by('study-where').value === '') this.by('study-where').value = first.join('; ');
   }
 
   question(more = {}, filters = []) {
@@ -73,7 +88,7 @@ export class Studies {
   }
 
   turn(step) {
-    this.offset = Math.max(0, Math.min(this.offset + step, Math.max(0, this.all - 1)));
+    this.offset = Math.max(0, this.offset + step);
     return this.rows();
   }
 
@@ -82,10 +97,13 @@ export class Studies {
     try {
       found = await this.ask('rows?' + this.question({ offset: this.offset, limit: 100, sort: this.sort }));
     } catch (error) { return this.notice(error.message); }
-    this.all = found.all;
-    this.by('rows-place').textContent = found.rows.length ? found.offset + 1 + ' to ' + (found.offset + found.rows.length) + ' of ' + found.all : 'none';
+    const place = found.rows.length ? found.offset + 1 + ' to ' + (found.offset + found.rows.length) : 'none', asked = this.question();
+    this.by('rows-place').textContent = place;
     this.by('earlier').disabled = this.offset === 0;
-    this.by('later').disabled = this.offset + found.rows.length >= found.all;
+    this.by('later').disabled = found.rows.length < 100;
+    this.ask('count?' + asked).then(({ all }) => {
+      if (asked === this.question() && this.by('rows-place').textContent === place) this.by('rows-place').textContent = place + ' of ' + all;
+    }).catch((error) => this.notice(error.message));
     const heads = found.columns.map((name, n) => {
       const key = found.keys[n], button = this.made('button', { type: 'button', textContent: name });
       const head = this.made('th', { scope: 'col' }, button);

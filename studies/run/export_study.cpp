@@ -58,7 +58,7 @@ Table results_of(const ResultStore& store, const std::string& study) {
 std::string export_study(const std::filesystem::path& database, const std::string& wanted,
                          const std::filesystem::path& folder) {
   ResultStore store(database, Access::read);
-  const std::string name = stored_study(store, wanted).name;
+  const std::string name = stored_study_name(store, wanted);
   const std::filesystem::path own = folder / "results.db";
   if (std::filesystem::exists(own) && !ResultStore(own, Access::read).study(name))
     throw std::invalid_argument("out = " + folder.string() + ": holds another study");

@@ -264,22 +264,27 @@ std::string common_inputs(const StudyRows& rows) {
   return lines;
 }
 
-StudySummary stored_study(ResultStore& store, const std::string& name) {
-  if (!name.empty())
-    if (auto study = store.study(name)) return std::move(*study);
+std::string stored_study_name(ResultStore& store, const std::string& name) {
   const std::string& file = store.database().name();
   const std::vector<std::string> all = store.study_names();
+  if (std::find(all.begin(), all.end(), name) != all.end()) return name;
   if (all.empty()) {
     const std::size_t fits = stored_fits(store.database()).size();
     throw std::invalid_argument(
         file + ": holds no study" +
         (fits == 0 ? "" : ", only fits, " + std::to_string(fits) + " (rollres list names them)"));
   }
-  if (name.empty() && all.size() == 1) return store.study(all.front()).value();
+  if (name.empty() && all.size() == 1) return all.front();
   const std::vector<std::string_view> names(all.begin(), all.end());
   if (!name.empty())
     throw std::invalid_argument(file + ": study = " + name + ": " + unknown("unknown study", names, name));
   throw std::invalid_argument(file + ": holds several studies, choose one with --study: " + joined(all));
+}
+
+StudySummary stored_study(ResultStore& store, const std::string& name) {
+  const std::string found = stored_study_name(store, name);
+  if (auto study = store.study(found)) return std::move(*study);
+  throw std::invalid_argument(store.database().name() + ": " + found + ": was deleted just now");
 }
 
 namespace {

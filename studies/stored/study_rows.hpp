@@ -131,6 +131,8 @@ std::string common_inputs(const StudyRows& rows);
 /// @throws std::invalid_argument naming the file: it holds no study, several (with their names), or none of that name
 ///         (with the nearest one)
 /// @throws std::runtime_error naming the file if the database fails
+std::string stored_study_name(ResultStore& store, const std::string& name);
+/// The same with how far it is, which takes a second of a study of 200,000 points. @throws likewise
 StudySummary stored_study(ResultStore& store, const std::string& name);
 
 /// Reads a filter as people write it, "load>=20 kN/m": as parse_filter (db/queries/query.hpp), but a value with a unit
