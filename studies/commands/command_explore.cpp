@@ -1,15 +1,17 @@
-#include <sys/stat.h>
+#include <spawn.h>
 #include <unistd.h>
 
+#include <array>
 #include <cstdlib>
 #include <ostream>
 
 #include "db/file/temporary_folder.hpp"
-#include "studies/drawing/gnuplot.hpp"
 #include "studies/explore/explorer.hpp"
 #include "studies/program/commands.hpp"
 #include "studies/run/stop_signal.hpp"
 #include "studies/text/files.hpp"
+
+extern char** environ;
 
 namespace rollres {
 
@@ -29,8 +31,11 @@ void open_in_browser(const std::string& address, const TemporaryFolder& folder) 
              "<!DOCTYPE html><meta charset=\"utf-8\"><title>rollres explore</title><meta http-equiv=\"refresh\" "
              "content=\"0; url=" +
                  address + "\">\n");
-  if (std::system(("xdg-open '" + file.string() + "' >/dev/null 2>&1 &").c_str()) != 0) {
-  }  // the address is printed, too
+  std::string program = "xdg-open", word = file.string();
+  std::array<char*, 3> words{program.data(), word.data(), nullptr};
+  pid_t process = 0;
+  ::posix_spawnp(&process, words[0], nullptr, nullptr, words.data(),
+                 environ);  // where it fails, the address is printed
 }
 
 void explore(const ExploreArguments& arguments, Session& session) {

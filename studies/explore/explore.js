@@ -82,6 +82,7 @@ function input_row(input, holder, path) {
     field.addEventListener('change', () => { set(field.value); rebuild(); changed(); });
   } else {
     field = made('input', { id, value: text_of(holder[input.key]), autocomplete: 'off', spellcheck: false });
+    if (tables.includes(input)) field.setAttribute('list', 'files');
     if (input.default !== undefined && !given) field.placeholder = String(input.default);
     field.addEventListener('change', () => { set(field.value); rebuild(path); changed(); });
     slider = slider_of(input, field.value, (text) => { field.value = text; set(text); changed(); });
@@ -402,6 +403,7 @@ async function begin() {
   scene = start.scene;
   delete scene.comment;
   tables = quantities.tables.map((key) => ({ key, symbol: '', unit: '', unit_2d: '', meaning: 'a CSV file below the folder of the program', rule: '' }));
+  ask('files').then(({ files }) => by('files').append(...files.map((file) => made('option', { value: file }))));
   rebuild();
   for (const input of quantities.inputs) {
     if (input.real) by('curve-x').append(made('option', { value: input.key, textContent: input.key.replaceAll('_', ' ') }));

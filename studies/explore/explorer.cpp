@@ -2,6 +2,7 @@
 
 #include <sys/random.h>
 
+#include <algorithm>
 #include <array>
 #include <cerrno>
 #include <stdexcept>
@@ -75,6 +76,24 @@ HttpReply refusal(const std::string& words) {
   return json_reply(reply);
 }
 
+/// CSV files of the folder and three levels below it, for fields that name one.
+Json tables_below(const std::filesystem::path& folder) {
+  namespace fs = std::filesystem;
+  constexpr int deepest = 3;
+  constexpr std::size_t most = 300;
+  std::vector<std::string> found;
+  std::error_code none;
+  fs::recursive_directory_iterator entry(folder, fs::directory_options::skip_permission_denied, none);
+  for (; !none && entry != fs::recursive_directory_iterator() && found.size() < most; entry.increment(none)) {
+    const bool hidden = entry->path().filename().string().starts_with('.');
+    if (hidden || entry.depth() >= deepest) entry.disable_recursion_pending();
+    if (!hidden && entry->path().extension() == ".csv")
+      found.push_back(entry->path().lexically_relative(folder).string());
+  }
+  std::sort(found.begin(), found.end());
+  return found;
+}
+
 /// A figure of the inside, or of a sphere's surface, as SVG.
 std::string figure_text(const RollingScene& scene, const RollingSolution& solution, const std::string& name) {
   const Figure figure = figures_for(scene, {name}).front();
@@ -86,6 +105,7 @@ std::string figure_text(const RollingScene& scene, const RollingSolution& soluti
 
 Explorer::Explorer(const ExplorerOptions& options, Evaluate evaluate)
     : database_(options.database),
+      folder_(options.folder),
       stop_(options.stop),
       token_(new_token()),
       read_(whole_scenes(options.folder)),
@@ -125,6 +145,7 @@ HttpReply Explorer::reply_to(const HttpRequest& request, const std::string& what
     if (what == "/start")
       return json_reply(
           {{"scene", first_scene_}, {"quantities", quantities_for_pages()}, {"database", database_.string()}});
+    if (what == "/files") return json_reply({{"files", tables_below(folder_)}});
     if (what == "/studies") return json_reply(studies_for_pages(database_));
     if (what == "/runs") return json_reply(runs_.state());
     if (what == "/chart") return json_reply(study_chart_for_pages(database_, request.query));

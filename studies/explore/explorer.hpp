@@ -50,7 +50,7 @@ class Explorer {
   std::function<bool()> newer_than(const Json& wish);
   Json answered(const Json& asked);
 
-  std::filesystem::path database_;
+  std::filesystem::path database_, folder_;
   const std::atomic<bool>& stop_;
   std::string token_;
   std::atomic<int> port_ = 0;

@@ -100,6 +100,22 @@ def study_run_and_stored(browser):
     assert json.loads(text(browser, "#taken")) == json.load(open("explored.json"))
 
 
+def study_stopped_and_resumed(browser):
+    browser.choose("#study-second", "")
+    browser.write("#study-name", "long")
+    browser.write("#study-points", "4000")
+    words = "[...document.querySelectorAll('#runs li')].find((one) => one.textContent.startsWith('long'))"
+    browser.click("#run")
+    browser.until(words + "?.textContent.includes('of 4000 points')")
+    browser.value(words + ".querySelector('button').click()")
+    browser.until(words + "?.textContent.includes('interrupted')")
+    assert "4000 of 4000" not in browser.value(words + ".textContent")
+    browser.click("#run")
+    browser.until(words + "?.textContent.includes('4000 of 4000 points')")
+    recalled = int(browser.value(words + ".textContent").split(" recalled")[0].split(" ")[-1])
+    assert 0 < recalled < 4000, recalled
+
+
 def worst_point_of_a_study(browser):
     browser.click("#runs button")
     browser.until("document.querySelectorAll('#study-chart .curve').length === 2")
@@ -212,7 +228,7 @@ def main():
             times = browser.value("rollres.measured.events")
             print(f"{key}: from the event to numbers and a curve of 61 points, median {statistics.median(times):.0f} ms, largest {max(times):.0f} ms")
         same_as_command_line(browser)
-        for task in (scene_from_nothing, three_compounds, speed_of_largest_resistance, study_run_and_stored, worst_point_of_a_study,
+        for task in (scene_from_nothing, three_compounds, speed_of_largest_resistance, study_run_and_stored, worst_point_of_a_study, study_stopped_and_resumed,
                      layers_and_sphere, looks):
             began = time.monotonic()
             task(browser)

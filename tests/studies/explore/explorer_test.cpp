@@ -152,6 +152,16 @@ TEST_CASE("a refused value is said at its field, in the program's words", "[stud
   CHECK_THAT(words, Contains("master_curve_file") && !Contains("root:"));
 }
 
+TEST_CASE("tables below the folder are offered, no hidden ones", "[studies][explore]") {
+  Page page(closed_form);
+  std::filesystem::create_directories(page.folder / "lab/.secret");
+  page.folder.write("rubber.csv", "");
+  page.folder.write("rubber.txt", "");
+  page.folder.write("lab/sheet.csv", "");
+  page.folder.write("lab/.secret/other.csv", "");
+  CHECK(page.read("files")["files"] == Json{"lab/sheet.csv", "rubber.csv"});
+}
+
 TEST_CASE("a newer wish ends the solution of an older one", "[studies][explore]") {
   std::atomic<int> begun = 0;
   Page page([&](const RollingScene& scene) {
