@@ -34,6 +34,7 @@ LIST
 test_packages=$(sed 's/:.*//' <<'LIST'
 slurm-wlm: a cluster of one node
 munge: signs the cluster's messages
+parallel: shards side by side
 mount: the root in which the folder to copy is tried
 sqlite3: the README's shell
 python3-pandas: the README's Python

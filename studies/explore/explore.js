@@ -39,14 +39,14 @@ function value_of(text, input) {
 }
 const text_of = (value) => value === undefined ? '' : Array.isArray(value) ? value.join(', ') : String(value);
 
-// A slider moves the number of a text and leaves its unit: over two decades to either side, or over the whole range.
+// A slider moves the number of a text and leaves its unit: over two decades to either side, or over the whole range; of a
+// temperature with a unit by 60 degrees.
 function slider_of(input, text, changed) {
   const parts = split(text);
   if (!input.real || !parts) return null;
   const [start, unit] = parts, bounded = input.lowest !== null && input.highest !== null && !unit.trim();
-  const logarithmic = !bounded && start > 0 && input.lowest !== null;
-  const reach = bounded ? [input.lowest, input.highest] : logarithmic ? [-2, 2] : [Math.min(0, 3 * start), Math.max(0, 3 * start) || 1];
-  if (bounded && input.key === 'stiffening') reach[1] = 3 * start;
+  const degrees = input.key.endsWith('temperature') && unit.trim() !== '', logarithmic = !bounded && !degrees && start > 0 && input.lowest !== null;
+  const reach = degrees ? [start - 60, start + 60] : bounded ? [input.lowest, input.highest] : logarithmic ? [-2, 2] : [Math.min(0, 3 * start), Math.max(0, 3 * start) || 1];
   const slider = made('input', { type: 'range', min: reach[0], max: reach[1], step: (reach[1] - reach[0]) / 400, value: logarithmic ? 0 : start });
   slider.setAttribute('aria-label', input.key + ', slider');
   slider.addEventListener('input', () => {

@@ -76,6 +76,11 @@ HttpReply refusal(const std::string& words) {
   return json_reply(reply);
 }
 
+bool wished(const Json& asked, const char* what) {
+  const auto wish = asked.find(what);
+  return wish != asked.end() && wish->is_boolean() && wish->get<bool>();
+}
+
 /// CSV files of the folder and three levels below it, for fields that name one.
 Json tables_below(const std::filesystem::path& folder) {
   namespace fs = std::filesystem;
@@ -193,20 +198,26 @@ Json Explorer::answered(const Json& asked) {
   const std::function<bool()> newer = newer_than(needed(asked, "wish", "request", "must be an object"));
   const Interruptible until(newer);
   if (newer()) throw Interrupted();
-  const bool first_look = asked.value("coarse", false);
-  const std::optional<RollingScene> coarse = first_look ? coarse_scene(scene) : std::nullopt;
+  const std::optional<RollingScene> coarse = wished(asked, "coarse") ? coarse_scene(scene) : std::nullopt;
   const RollingScene& solved = coarse ? *coarse : scene;
   const RollingSolution solution = evaluate_(solved);
   Json reply = answer_for_pages(solved, solution);
   reply["coarse"] = coarse.has_value();
   if (asked.contains("figure"))
     reply["figure"] = figure_text(scene, solution, needed_text(asked, "figure", "request", "must be a figure's name"));
-  if (asked.value("explain", false))
+  if (wished(asked, "explain"))
     reply["explanation"] = model_text(scene) + explanation(scene, solution) +
                            (solution.status == Status::converged && solution.moduli_factors.empty()
                                 ? simpler_models_text(scene, solution, simpler_models(scene, solution, evaluate_))
                                 : "");
   return reply;
+}
+
+void Explorer::forget_old_answers() {
+  const std::lock_guard lock(mutex_);
+  if (curves_.count().all() - forgotten_ < most_kept) return;
+  forgotten_ = curves_.count().all();
+  curves_.forget();
 }
 
 Json Explorer::posted(const std::string& what, const Json& asked) {
@@ -218,7 +229,7 @@ Json Explorer::posted(const std::string& what, const Json& asked) {
   if (what == "/curve") {
     const RollingScene scene = read_(needed(asked, "scene", "request", "must be a scene"), "scene");
     const ExploredCurve curve = explored_curve(needed(asked, "curve", "request", "must be an object"), "curve");
-    if (curves_.count().all() > most_kept) curves_.forget();
+    forget_old_answers();
     return curve_for_pages(scene, curve, curves_, newer_than(needed(asked, "wish", "request", "must be an object")));
   }
   if (what == "/materials")

@@ -49,6 +49,7 @@ class Explorer {
   Json posted(const std::string& what, const Json& asked);
   std::function<bool()> newer_than(const Json& wish);
   Json answered(const Json& asked);
+  void forget_old_answers();
 
   std::filesystem::path database_, folder_;
   const std::atomic<bool>& stop_;
@@ -59,7 +60,8 @@ class Explorer {
   Evaluate evaluate_;
   StoredEvaluations curves_;  // answers without fields, kept while the page may ask for them again
   StudyRuns runs_;
-  std::mutex mutex_;
+  std::mutex mutex_;           // of what follows
+  std::size_t forgotten_ = 0;  // answers of curves
   std::map<std::string, Newest> newest_;
 };
 

@@ -79,10 +79,11 @@ Json StudyRuns::start(const Json& study) {
   if (name.find('/') != std::string::npos || name.starts_with('.') || name.size() > 100)
     refuse("study", "study", name, "must be a name of at most 100 letters without / and no . before it");
   const std::lock_guard lock(mutex_);
-  Run& run = runs_[name];
-  look(run);
-  if (run.process != 0) throw std::invalid_argument(name + ": runs already");
-  run.file = folder_ / (name + ".json");
+  if (const auto before = runs_.find(name); before != runs_.end()) {
+    look(before->second);
+    if (before->second.process != 0) throw std::invalid_argument(name + ": runs already");
+  }
+  Run run{.file = folder_ / (name + ".json"), .words = scratch_ / std::to_string(runs_.size())};
   const std::string text = study.dump(2) + '\n', before = text_if_any(run.file);
   if (!before.empty() && before != text)
     throw std::invalid_argument(run.file.string() + ": holds another study; give this one another name");
@@ -94,9 +95,8 @@ Json StudyRuns::start(const Json& study) {
     if (before.empty()) std::filesystem::remove(run.file, none);
     throw;
   }
-  run.words = scratch_ / std::to_string(runs_.size());
-  run.status = 0;
   run.process = started({"rollres", "sweep", run.file.string(), "--db", database_.string()}, run.words);
+  runs_[name] = run;
   return {{"study", name}, {"file", run.file.string()}};
 }
 

@@ -35,7 +35,7 @@ class StudyRuns {
 
  private:
   struct Run {
-    std::filesystem::path file, words;  // what it prints
+    std::filesystem::path file, words;  // of the study; of what it prints
     pid_t process = 0;                  // 0: it has ended
     int status = 0;
   };

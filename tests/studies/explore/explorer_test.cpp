@@ -258,6 +258,7 @@ TEST_CASE("a study of a page names no files and takes no other study's file", "[
   CHECK(!std::filesystem::exists(page.folder / "explored.json"));
   page.folder.write("explored.json", "{}");
   CHECK_THAT(refusal(good), Contains("holds another study"));
+  CHECK(page.read("runs") == Json::array());
 }
 
 TEST_CASE("the page is used by hand in a browser", "[studies][explore][browser][long]") {

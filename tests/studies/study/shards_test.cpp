@@ -11,8 +11,11 @@
 #include "studies/run/sweep.hpp"
 #include "studies/stored/study_rows.hpp"
 #include "studies/study/predicted_cost.hpp"
+#include "studies/text/words.hpp"
 #include "tests/catch.hpp"
 #include "tests/plain_scene.hpp"
+#include "tests/source_directory.hpp"
+#include "tests/studies/shell.hpp"
 #include "tests/studies/stored_rows.hpp"
 #include "tests/studies/temporary_directory.hpp"
 #include "tests/studies/with_variable.hpp"
@@ -159,6 +162,26 @@ TEST_CASE("without a queue's index, or with two, a shard is refused", "[studies]
   CHECK_THROWS_WITH(
       parse_shard("auto/4"),
       Catch::Matchers::Contains("SLURM_ARRAY_TASK_ID = 3 and JOB_COMPLETION_INDEX = 1 are different tasks"));
+}
+
+TEST_CASE("shards by GNU parallel, as the guide has them, merge to the table of one process", "[studies][shards]") {
+  if (!installed("parallel")) {
+    WARN("GNU parallel is not installed");
+    return;
+  }
+  const TemporaryDirectory folder;
+  folder.write("study.json", R"({"study": "speeds", "scene": {"radius": "2 cm", "layer_thickness": "5 mm",
+    "material": "elastic", "static_shear_modulus": "3 MPa", "speed": 1, "load": "5 kN/m"},
+    "axes": {"speed": {"from": "1 m/s", "to": "9 m/s", "points": 9}}})");
+  std::filesystem::create_symlink(rollres_program(), folder / "rollres");
+  const ShellRun run = run_shell(
+      "cd " + shell_word(folder.path.string()) +
+      " && export PATH=\"$PWD:$PATH\" HOME=\"$PWD\" && "
+      "parallel --will-cite -j 2 rollres sweep study.json --shard {}/3 --jobs 1 --db shard-{}.db ::: $(seq 3) && "
+      "rollres merge shard-*.db --db merged.db && rollres sweep study.json --db alone.db");
+  INFO(run.out);
+  REQUIRE(run.status == 0);
+  CHECK(stored_rows(folder / "merged.db", "speeds") == stored_rows(folder / "alone.db", "speeds"));
 }
 
 TEST_CASE("the predicted cost grows with the number of nodes and falls without friction", "[studies][shards]") {
