@@ -1,10 +1,12 @@
 #include "studies/text/files.hpp"
 
 #include <fcntl.h>
+#include <iconv.h>
 #include <unistd.h>
 
 #include <cerrno>
 #include <fstream>
+#include <optional>
 #include <stdexcept>
 #include <system_error>
 
@@ -33,6 +35,19 @@ std::filesystem::path end_of_links(std::filesystem::path file) {
   for (int link = 0; link < most && std::filesystem::is_symlink(file, error); ++link)
     file = file.parent_path() / std::filesystem::read_symlink(file, error);
   return file;
+}
+
+/// UTF-8 of a text in UTF-16 with its byte order mark; nothing where some of it is no letter.
+std::optional<std::string> from_utf16(std::string text) {
+  const iconv_t converter = ::iconv_open("UTF-8", "UTF-16");
+  if (converter == reinterpret_cast<iconv_t>(-1)) return {};
+  std::string plain(2 * text.size(), '\0');  // three bytes at most for two
+  char *from = text.data(), *to = plain.data();
+  std::size_t left = text.size(), room = plain.size();
+  const bool all = ::iconv(converter, &from, &left, &to, &room) != static_cast<std::size_t>(-1) && left == 0;
+  ::iconv_close(converter);
+  plain.resize(plain.size() - room);
+  return all ? std::optional(plain) : std::nullopt;
 }
 
 /// Opens `file` and writes it whole. @return why that failed; empty if it did not
@@ -68,9 +83,10 @@ std::string whole_file(const std::filesystem::path& file, std::size_t largest) {
   if (!stream.eof() && !stream.good()) fail(file, "cannot be read", last_error());
   if (text.size() > largest)
     fail(file, "cannot be read", "it is larger than " + std::to_string(largest / 1'000'000) + " MB");
-  if (text.starts_with("\xff\xfe") || text.starts_with("\xfe\xff"))
-    fail(file, "cannot be read", "it is UTF-16; save it as UTF-8");
-  return text;
+  if (!text.starts_with("\xff\xfe") && !text.starts_with("\xfe\xff")) return text;
+  const auto plain = from_utf16(std::move(text));
+  if (!plain) fail(file, "cannot be read", "it is UTF-16, but some of it is no letter; save it as UTF-8");
+  return *plain;
 }
 
 void write_file(const std::filesystem::path& file, std::string_view content) {

@@ -9,7 +9,7 @@
 
 namespace rollres {
 
-/// The text of a file.
+/// The text of a file, which may be UTF-16 with its byte order mark, as Windows' programs write it; as UTF-8.
 /// @param largest  so many bytes at most: /dev/zero has no end
 /// @throws std::runtime_error "path: cannot be read: why"
 std::string whole_file(const std::filesystem::path& file, std::size_t largest);

@@ -111,7 +111,7 @@ def study_stopped_and_resumed(browser):
     browser.until(words + "?.textContent.includes('interrupted')")
     assert "4000 of 4000" not in browser.value(words + ".textContent")
     browser.click("#run")
-    browser.until(words + "?.textContent.includes('4000 of 4000 points')")
+    browser.until("/4000 of 4000 points.* recalled/.test(" + words + "?.textContent)")
     recalled = int(browser.value(words + ".textContent").split(" recalled")[0].split(" ")[-1])
     assert 0 < recalled < 4000, recalled
 

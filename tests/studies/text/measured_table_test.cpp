@@ -32,6 +32,13 @@ TEST_CASE("a table is the same in every manner of spreadsheets and instruments",
   const std::string german = "frequency [Hz];E' [MPa];E'' [MPa]\n0,1;4,5;0,5\n10;7,25;1,5\n";
   CHECK(curve_of(german) == plain());
   CHECK(curve_of("\xEF\xBB\xBF" + german) == plain());
+  std::string little("\xFF\xFE", 2), big("\xFE\xFF", 2);  // of Windows' programs
+  for (const char letter : german) {
+    little += {letter, '\0'};
+    big += {'\0', letter};
+  }
+  CHECK(curve_of(little) == plain());
+  CHECK(curve_of(big) == plain());
   CHECK(curve_of("sep=;\r\n" + german) == plain());
   CHECK(curve_of("Frequency (Hz),E' (MPa),E'' (MPa)\r\n0.1,4.5,0.5\r\n10,7.25,1.5\r\n") == plain());
   CHECK(curve_of("FREQUENCY [Hz]\tStorage Young Modulus [MPa]\tLoss Young Modulus [MPa]\n0,1\t4,5\t0,5\n"
@@ -62,7 +69,11 @@ TEST_CASE("what a table cannot mean is refused in one message", "[studies][text]
                "unknown column; known are frequency, "));
   CHECK(curve_of("frequency [Hz],E',E''\n1,2,3\n") ==
         "dma.csv, line 2: E': the first line must name a unit of stress (Pa)");
-  CHECK_THAT(curve_of(std::string("\xFF\xFE", 2) + "f"), Contains("UTF-16"));
+  CHECK_THAT(curve_of(std::string("\xFF\xFE", 2) + "f"), Contains("UTF-16"));  // half a letter
+  CHECK_THAT(curve_of(std::string("\xFF\xFE\x00\xDC"
+                                  "f\x00",
+                                  6)),
+             Contains("is no letter"));  // half a pair
 }
 
 TEST_CASE("ten manners of instruments give the same rows", "[studies][text]") {
