@@ -365,7 +365,7 @@ async function show_runs() {
     const study = stored.find((one) => one.name === run.study), far = study ? study.answered + ' of ' + study.points + ' points' : 'begins';
     const item = made('li', { textContent: run.study + ': ' + (run.running ? far + ' ' : (run.words.trim() || far) + ' ') });
     const button = made('button', { type: 'button', textContent: run.running ? 'Stop' : 'Show' });
-    button.addEventListener('click', () => run.running ? ask('stop', { study: run.study }).then(show_runs) : (show_tab('studies'), studies.show(run.study)));
+    button.addEventListener('click', () => run.running ? ask('stop', { study: run.study }).then(show_runs) : show_tab('studies', run.study));
     item.append(button);
     return item;
   }));
@@ -381,13 +381,13 @@ async function run_study() {
 }
 
 // ---- The frame.
-function show_tab(name) {
+function show_tab(name, study) {
   for (const tab of ['scene', 'studies']) {
     by('tab-' + tab).setAttribute('aria-selected', String(tab === name));
     by('tab-' + tab).tabIndex = tab === name ? 0 : -1;
     by('view-' + tab).hidden = tab !== name;
   }
-  if (name === 'studies') studies.show();
+  if (name === 'studies') studies.show(study);
 }
 export function begin_with(other) {
   scene = Object.fromEntries(Object.entries(other).filter(([key, value]) => input_of(key)?.default !== value));

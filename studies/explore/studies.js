@@ -5,7 +5,7 @@ const many = 5000;  // points
 
 export class Studies {
   constructor(by, made, ask, open, notice) {
-    Object.assign(this, { by, made, ask, open, notice, offset: 0, sort: '', list: [] });
+    Object.assign(this, { by, made, ask, open, notice, offset: 0, sort: '', list: [], current: '', charts_asked: 0, rows_asked: 0 });
     for (const id of ['study-x', 'study-y', 'study-family', 'study-where'])
       by(id).addEventListener('change', () => { this.offset = 0; this.refresh(); });
     by('study').addEventListener('change', () => this.choose(by('study').value));
@@ -32,6 +32,8 @@ export class Studies {
     const study = this.list.find((one) => one.name === name);
     this.offset = 0;
     this.sort = '';
+    if (name !== this.current) this.by('study-where').value = '';
+    this.current = name;
     this.by('report-frame').hidden = true;
     for (const id of ['study-x', 'study-family'])
       this.by(id).replaceChildren(this.made('option', { value: '', textContent: 'as the study says' }), ...study.axes.map((key) => this.made('option', { value: key, textContent: key })));
@@ -63,12 +65,16 @@ export class Studies {
     return new URLSearchParams({ study: this.by('study').value, where, ...more }).toString();
   }
 
+  // What a newer question overtakes is not shown.
   async refresh() {
+    const mine = ++this.charts_asked;
     try {
       const chart = await this.ask('chart?' + this.question({ x: this.by('study-x').value, y: this.by('study-y').value, family: this.by('study-family').value }));
+      if (mine !== this.charts_asked) return;
       draw(this.by('study-chart'), chart, { height: 340, words: chart.title, chosen: (curve, point) => this.open_point(chart, curve, point) });
       this.notice('');
     } catch (error) {
+      if (mine !== this.charts_asked) return;
       this.by('study-chart').replaceChildren();
       this.notice(error.message);
     }
@@ -94,9 +100,11 @@ export class Studies {
 
   async rows() {
     let found;
+    const mine = ++this.rows_asked;
     try {
       found = await this.ask('rows?' + this.question({ offset: this.offset, limit: 100, sort: this.sort }));
     } catch (error) { return this.notice(error.message); }
+    if (mine !== this.rows_asked) return;
     const place = found.rows.length ? found.offset + 1 + ' to ' + (found.offset + found.rows.length) : 'none', asked = this.question();
     this.by('rows-place').textContent = place;
     this.by('earlier').disabled = this.offset === 0;
