@@ -105,7 +105,7 @@ export function peak_in_words(curve, x, y) {
   let best = 0;
   good.forEach((point, place) => { if (point[1] > good[best][1]) best = place; });
   if (best === 0 || best === good.length - 1) return '';
-  return 'Peak: ' + readable(good[best][1], y.unit, 4) + ' at ' + x.name + ' ' + readable(good[best][0], x.unit, 4) + '.';
+  return 'Peak of ' + good.length + ' points: ' + readable(good[best][1], y.unit, 4) + ' at ' + x.name + ' ' + readable(good[best][0], x.unit, 4) + '.';
 }
 
 // The picture as a file of its own, as it looks on the page.

@@ -151,7 +151,10 @@ function say_refusal(error) {
     row.classList.remove('refused');
     row.querySelector('.said')?.remove();
   }
+  // What stands on the right belongs to the scene before.
+  by('results').classList.toggle('stale', Boolean(error));
   if (!error) return notice('');
+  by('headline').textContent = 'no answer';
   const key = error.key, row = key && document.querySelector('.input[data-key="' + CSS.escape(key) + '"]');
   if (!row) return notice(error.message);
   notice('');
@@ -223,6 +226,7 @@ async function follow() {
 // At most one question is under way and one waits: the newest.
 let pause = null;
 export function changed() {
+  by('headline').classList.add('stale');
   if (dear()) for (const view of busy ? ['answer', 'curve'] : ['curve']) ask('newer', { wish: wish(view) });  // gives up what is solved
   if (busy) { waiting = true; return busy; }
   busy = (async () => {
@@ -243,6 +247,9 @@ function curve_wish() {
   return { x: by('curve-x').value, y: by('curve-y').value, from: number(by('curve-from').value), to: number(by('curve-to').value), logarithmic: by('curve-log').checked };
 }
 
+// What a curve belongs to: all of the scene but its x.
+const scene_but = (x, one) => JSON.stringify(Object.entries(one).filter(([key]) => key !== x));
+
 async function ask_curve(asked, points) {
   const wanted = { ...curve_wish(), points };
   if (!(wanted.to > wanted.from) || !points) return;
@@ -250,7 +257,7 @@ async function ask_curve(asked, points) {
   curve = { ...wanted, points: found.x.map((x, n) => {
     const y = found.y[n], error = found.y_error[n];
     return [x, y, y !== null, y !== null && error !== null ? y - error : null, y !== null && error !== null ? y + error : null];
-  }) };
+  }), of: scene_but(wanted.x, asked) };
   show_curve();
 }
 
@@ -264,8 +271,10 @@ function show_curve() {
   const curves = [{ label: kept.length ? labels[0] + ' (now)' : '', points: curve.points, colour: colours[0] },
     ...kept.map((one, n) => ({ points: one.points, label: labels[n + 1], colour: colours[(n + 1) % colours.length], dashed: true }))];
   svg_of.curve = draw(by('curve'), in_units({ ...axes, curves, ...(Number.isFinite(at) ? { at } : {}) }));
+  const before = curve.of !== scene_but(curve.x, scene);
+  by('curve').classList.toggle('stale', before);
   const missing = curve.points.filter((point) => point[1] === null).length;
-  by('peak').textContent = peak_in_words(curve, axes.x, axes.y) + (missing ? ' ' + missing + ' of ' + curve.points.length + ' points have no answer.' : '');
+  by('peak').textContent = (before ? 'Of the scene before; it is drawn anew when the hand rests. ' : '') + peak_in_words(curve, axes.x, axes.y) + (missing ? ' ' + missing + ' of ' + curve.points.length + ' points have no answer.' : '');
 }
 
 // Each scene by the inputs in which they differ.
@@ -333,10 +342,7 @@ const study_text = () => {
   if (unit && unit !== '1') for (const end of ['from', 'to']) axes[wanted.x][end] = axes[wanted.x][end] + ' ' + unit;
   const second = by('study-second').value, values = by('study-values').value;
   if (second && values.trim()) axes[second] = values.split(',').map((value) => value.trim()).map((value) => split(value) && split(value)[1].trim() === '' ? Number(value) : value);
-  const own = current();
-  for (const key of Object.keys(axes)) delete own[key];
-  for (const key of ['load', 'speed', 'radius', 'layer_thickness']) if (axes[key] && scene[key] !== undefined) own[key] = scene[key];
-  return { study: by('study-name').value.trim(), scene: own, axes };
+  return { study: by('study-name').value.trim(), scene: current(), axes };
 };
 const takes = {
   scene: () => ['scene.json', JSON.stringify(scene, null, 2) + '\n'],
