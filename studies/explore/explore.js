@@ -300,6 +300,7 @@ function centre_curve() {
 // ---- Materials, insides, models, curves of spheres: asked when the hand rests, or on request.
 async function rest() {
   await busy;
+  if (dear()) by('peak').textContent = 'The curve is being solved.';
   if (dear()) ask_curve(current(), points_at_rest()).catch((error) => error.superseded || notice(error.message));
   return show_materials();
 }

@@ -22,7 +22,7 @@ export function sketch(place, reply) {
   const { radius, half } = view, width = 560, scale = width / (2 * half);
   const depths = [0];
   for (const thickness of view.thickness) depths.push(Math.min(depths[depths.length - 1] + (Number.isFinite(thickness) ? thickness : 0.45 * half), 1.05 * half));
-  const deepest = depths[depths.length - 1], bottom = deepest + 0.1 * half;
+  const deepest = depths[depths.length - 1], cut = !Number.isFinite(view.thickness.at(-1)) || deepest === 1.05 * half, bottom = deepest + (cut ? 0 : 0.1 * half);
   const height = (view.top + bottom) * scale, x = (at) => (at + half) * scale, z = (at) => (view.top - at) * scale;
   const answered = answer.status === 'converged' && answer.leading_edge !== null;
   const approach = answered ? (answer.approach ?? view.contact ** 2 / (8 * radius)) : 0, centre = radius - approach;
@@ -40,7 +40,7 @@ export function sketch(place, reply) {
   const across = Array.from({ length: 401 }, (_, n) => half * (n / 200 - 1));
   const face = (depth) => across.map((at) => [at, -depth + (1 - depth / deepest) * dent(at)]);
   const shapes = [];
-  shapes.push(element('rect', { class: 'base', x: 0, y: z(-deepest), width, height: height - z(-deepest) }));
+  if (!cut) shapes.push(element('rect', { class: 'base', x: 0, y: z(-deepest), width, height: height - z(-deepest) }));
   for (let n = 0; n + 1 < depths.length; ++n)
     shapes.push(element('path', { class: 'layer-' + n % 3, d: path([...face(depths[n]), ...face(depths[n + 1]).reverse()]) }));
   const circle = (r) => Array.from({ length: 361 }, (_, n) => [r * Math.sin(n * Math.PI / 180),
