@@ -307,6 +307,8 @@ StoredChart stored_chart(ResultStore& store, const StudyChartOptions& options) {
 
   StoredChart chart{.study = study.name, .points = rows.size(), .unanswered = shown.unanswered()};
   if (options.filters.empty()) chart.missing = study.points - study.answered;
+  chart.x = key_of(*choice.x);
+  for (const QuantityColumn* const family : choice.families) chart.families.push_back(key_of(*family));
   ChartRequest& request = chart.request;
   request.title = shown.title();
   request.subtitle = subtitle_of(options.filters, rows);

@@ -15,9 +15,11 @@ template <class Request>
 struct StoredPicture {
   std::string study;
   Request request = {};
-  std::size_t points = 0;      ///< rows shown
-  std::size_t unanswered = 0;  ///< of these, not converged
-  std::int64_t missing = 0;    ///< points of the study that are not computed yet
+  std::size_t points = 0;                  ///< rows shown
+  std::size_t unanswered = 0;              ///< of these, not converged
+  std::int64_t missing = 0;                ///< points of the study that are not computed yet
+  std::string x = {};                      ///< of a chart: the key along x
+  std::vector<std::string> families = {};  ///< and those whose values tell its curves apart
 };
 using StoredChart = StoredPicture<ChartRequest>;
 using StoredMap = StoredPicture<MapRequest>;

@@ -3,11 +3,9 @@
 #include <optional>
 #include <ostream>
 
-#include "core/estimate/grid_choice.hpp"
 #include "core/material/material_functions.hpp"
 #include "core/model/scene_rules.hpp"
 #include "core/numerics/solution_limits.hpp"
-#include "core/solve/resolve.hpp"
 #include "studies/figures/material_chart.hpp"
 #include "studies/figures/material_export.hpp"
 #include "studies/program/commands.hpp"
@@ -52,14 +50,10 @@ std::vector<std::string> tables_in_words(const MaterialArguments& arguments) {
   return words;
 }
 
-/// "about 194 Hz", of V over 2 pi and the half-width of an estimate; empty where none is to be had.
+/// "about 194 Hz"; empty where none is to be had.
 std::string contact_in_words(const RollingScene& scene) {
-  try {
-    const double half_width = estimate_contact(resolve(scene)).half_width;
-    return "about " + short_number(scene.speed / (2 * std::numbers::pi * half_width), 3) + " Hz";
-  } catch (const std::domain_error&) {
-    return {};
-  }
+  const auto frequency = contact_frequency(scene);
+  return frequency ? "about " + short_number(*frequency, 3) + " Hz" : "";
 }
 
 void print_words(std::ostream& out, const MaterialArguments& arguments, const RollingScene& layer,

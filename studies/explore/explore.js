@@ -2,7 +2,7 @@
 // to the scene as it would to a file of the same text.
 import { draw, in_units, peak_in_words, as_file, colours } from './chart.js';
 import { sketch, contact } from './sketch.js';
-import { digits, number, readable, split, typeset, with_error } from './units.js';
+import { digits, factor_of, number, readable, split, typeset, with_error } from './units.js';
 import { Studies } from './studies.js';
 
 const by = (id) => document.getElementById(id);
@@ -17,7 +17,7 @@ const notice = (words) => { by('notice').textContent = words; };
 // ---- What is asked of the program. A wish that a newer one overtakes is given up by the program and here.
 const page = crypto.randomUUID();
 let wishes = 0;
-export async function ask(what, body) {
+async function ask(what, body) {
   const reply = await fetch(what, body === undefined ? {} : { method: 'POST', headers: { 'Content-Type': 'application/json' }, body: JSON.stringify(body) });
   const json = await reply.json();
   if (reply.ok && !json.error) return json;
@@ -26,7 +26,7 @@ export async function ask(what, body) {
 const wish = (view) => ({ page, view, number: ++wishes });
 
 // ---- The scene.
-let quantities, scene, answer = null, curve = null, pinned = [], svg_of = {};
+let quantities, scene, held = {} /* the first scene in SI */, answer = null, curve = null, pinned = [], svg_of = {};
 const input_of = (key) => quantities.inputs.find((input) => input.key === key);
 const output_of = (key) => quantities.outputs.find((output) => output.key === key);
 const per_metre = () => (scene.indenter ?? 'cylinder') === 'cylinder' && scene.width === undefined;
@@ -165,7 +165,7 @@ function say_refusal(error) {
 
 // ---- The answer.
 const times = [];
-export const measured = { events: times };  // from a change to what is on the screen [ms]
+const measured = { events: times };  // from a change to what is on the screen [ms]
 
 function show_answer(reply) {
   answer = reply;
@@ -212,6 +212,7 @@ async function follow() {
       if (first.coarse && !waiting) show_answer(await ask('answer', { scene: asked, wish: wish('answer') }));
     } else {
       const number_first = ask('answer', { scene: asked, wish: wish('answer') }).then(show_answer);
+      if (!answer) await number_first;  // which tells how long a point of the curve takes
       await Promise.all([number_first, ask_curve(asked, points_in_motion())]);
     }
     say_refusal(null);
@@ -225,7 +226,7 @@ async function follow() {
 
 // At most one question is under way and one waits: the newest.
 let pause = null;
-export function changed() {
+function changed() {
   by('headline').classList.add('stale');
   if (dear()) for (const view of busy ? ['answer', 'curve'] : ['curve']) ask('newer', { wish: wish(view) });  // gives up what is solved
   if (busy) { waiting = true; return busy; }
@@ -288,7 +289,7 @@ function told_apart(scenes, x) {
 }
 
 function centre_curve() {
-  const x = by('curve-x').value, at = answer ? number(answer.answer.scene[x]) : NaN, input = input_of(x);
+  const x = by('curve-x').value, at = number((answer ? answer.answer.scene : held)[x]), input = input_of(x);
   const logarithmic = at > 0 && Number.isFinite(at) && input.highest === null;
   by('curve-log').checked = logarithmic;
   const highest = input.highest ?? (at > 0 ? 3 * at : 1), lowest = input.lowest ?? Math.min(0, 3 * at || 0);
@@ -309,7 +310,7 @@ async function show_materials() {
     const found = await ask('materials', { scene: current() });
     by('materials').replaceChildren(...found.charts.map((chart) => {
       const place = made('div', { className: 'picture' });
-      const at = found.frequency === null ? undefined : found.frequency / (scaled_unit[chart.x.unit] ?? 1);
+      const at = found.frequency === null ? undefined : found.frequency / factor_of(chart.x.unit, 'Hz');
       draw(place, { ...chart, ...(at ? { at } : {}) }, { height: 240, words: 'Storage and loss modulus of ' + chart.title });
       return made('div', {}, made('h3', { textContent: chart.title }), place);
     }), made('p', { textContent: found.frequency === null ? '' : 'The contact asks at about ' + readable(found.frequency, 'Hz', 3) + ' (dashed line).' }));
@@ -317,7 +318,6 @@ async function show_materials() {
     if (!error.superseded) by('materials').replaceChildren(made('p', { textContent: error.message }));
   }
 }
-const scaled_unit = { Hz: 1, kHz: 1e3, MHz: 1e6, GHz: 1e9, mHz: 1e-3, 'µHz': 1e-6 };
 
 async function explain() {
   try {
@@ -348,7 +348,7 @@ const study_text = () => {
 const takes = {
   scene: () => ['scene.json', JSON.stringify(scene, null, 2) + '\n'],
   command: () => ['command.sh', "cat >scene.json <<'END'\n" + JSON.stringify(scene, null, 2) + '\nEND\nrollres solve scene.json\n'],
-  python: () => ['scene.py', 'import json\nimport rollres\n\nscene = rollres.Scene(' + python(scene) + ')\nanswer = rollres.solve(scene)\nprint(answer.rolling_resistance, answer.rolling_resistance_error)\n'],
+  python: () => ['scene.py', 'import rollres\n\nscene = rollres.Scene(' + python(scene) + ')\nanswer = rollres.solve(scene)\nprint(answer.rolling_resistance, answer.rolling_resistance_error)\n'],
   study: () => ['study.json', JSON.stringify(study_text(), null, 2) + '\n'],
   csv: () => ['curve.csv', curve ? curve.x + ',' + curve.y + '\n' + curve.points.map(([x, y]) => x + ',' + (y ?? '')).join('\n') + '\n' : ''],
   svg: () => ['curve.svg', svg_of.curve ? as_file(svg_of.curve) : ''],
@@ -367,10 +367,10 @@ function show_taken() {
 // ---- Studies that run.
 let watching = null;
 async function show_runs() {
-  const runs = await ask('runs'), { studies: stored } = await ask('studies').catch(() => ({ studies: [] }));  // it is being made
+  const runs = await ask('runs');
   by('runs').replaceChildren(...runs.map((run) => {
-    const study = stored.find((one) => one.name === run.study), far = study ? study.answered + ' of ' + study.points + ' points' : 'begins';
-    const item = made('li', { textContent: run.study + ': ' + (run.running ? far + ' ' : (run.words.trim() || far) + ' ') });
+    const far = run.points ? run.answered + ' of ' + run.points + ' points' : 'begins';
+    const item = made('li', { textContent: run.study + ': ' + (run.running ? far : run.words.trim()) + ' ' });
     const button = made('button', { type: 'button', textContent: run.running ? 'Stop' : 'Show' });
     button.addEventListener('click', () => run.running ? ask('stop', { study: run.study }).then(show_runs) : show_tab('studies', run.study));
     item.append(button);
@@ -396,7 +396,7 @@ function show_tab(name, study) {
   }
   if (name === 'studies') studies.show(study);
 }
-export function begin_with(other) {
+function begin_with(other) {
   scene = Object.fromEntries(Object.entries(other).filter(([key, value]) => input_of(key)?.default !== value));
   rebuild();
   show_tab('scene');
@@ -421,7 +421,7 @@ async function begin() {
   for (const figure of quantities.figures) by('figure').append(made('option', { value: figure, textContent: figure.replaceAll('_', ' ') }));
   by('curve-x').value = 'speed';
   by('curve-y').value = 'rolling_resistance';
-  answer = await ask('answer', { scene, coarse: true, wish: wish('answer') }).catch((error) => { say_refusal(error); return null; });
+  held = start.held;
   centre_curve();
   by('curve-x').addEventListener('change', () => { centre_curve(); changed(); });
   for (const id of ['curve-y', 'curve-from', 'curve-to', 'curve-log']) by(id).addEventListener('change', () => changed());

@@ -1,16 +1,13 @@
 #include "studies/explore/explored_scene.hpp"
 
 #include <cmath>
-#include <numbers>
 
-#include "core/estimate/grid_choice.hpp"
 #include "core/material/material.hpp"
 #include "core/model/scene_rules.hpp"
 #include "core/newton/surface_window.hpp"
 #include "core/numerics/parallel.hpp"
 #include "core/numerics/solution_limits.hpp"
 #include "core/scene/layer_name.hpp"
-#include "core/solve/resolve.hpp"
 #include "studies/figures/figure.hpp"
 #include "studies/figures/material_chart.hpp"
 #include "studies/figures/scene_sketch.hpp"
@@ -21,6 +18,7 @@
 #include "studies/scene_io/scene_file.hpp"
 #include "studies/scene_io/scene_inputs.hpp"
 #include "studies/scene_io/solution_json.hpp"
+#include "studies/study/study_axes.hpp"
 #include "studies/text/table_json.hpp"
 
 namespace rollres {
@@ -186,12 +184,9 @@ Json curve_for_pages(const RollingScene& scene, const ExploredCurve& curve, Stor
                      const std::function<bool()>& stop) {
   std::vector<double> x(curve.points), y(curve.points), error(curve.points);
   std::vector<std::string> reason(curve.points);
-  const double last = static_cast<double>(curve.points - 1);
-  for (std::size_t i = 0; i < curve.points; ++i) {
-    const double share = static_cast<double>(i) / last;
-    x[i] = curve.logarithmic ? curve.from * std::pow(curve.to / curve.from, share)
-                             : curve.from + share * (curve.to - curve.from);
-  }
+  for (std::size_t i = 0; i < curve.points; ++i)
+    x[i] = spaced_value(curve.from, curve.to, static_cast<double>(i) / static_cast<double>(curve.points - 1),
+                        curve.logarithmic);
   for_each_piece(curve.points, 0, [&](std::size_t point) {
     const Interruptible until(stop);
     RollingScene here = scene;
@@ -240,14 +235,8 @@ Json materials_for_pages(const RollingScene& scene) {
   add(scene, layer_name(false, 0));
   for (std::size_t i = 0; i < scene.lower_layers.size(); ++i) add(scene.lower_layers[i], layer_name(false, i + 1));
   for (std::size_t i = 0; i < scene.coating_layers.size(); ++i) add(scene.coating_layers[i], layer_name(true, i));
-  Json reply{{"charts", charts}};
-  try {
-    const double half_width = estimate_contact(resolve(scene)).half_width;
-    reply["frequency"] = scene.speed / (2 * std::numbers::pi * half_width);
-  } catch (const std::domain_error&) {
-    reply["frequency"] = nullptr;
-  }
-  return reply;
+  const auto frequency = contact_frequency(scene);
+  return {{"charts", charts}, {"frequency", frequency ? Json(*frequency) : Json()}};
 }
 
 }  // namespace rollres

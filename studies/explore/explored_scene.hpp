@@ -46,7 +46,7 @@ Json curve_for_pages(const RollingScene& scene, const ExploredCurve& curve, Stor
 /// A chart as data, in the units of its axes.
 Json chart_for_pages(const ChartRequest& chart);
 
-/// G' and G" of each layer, the frequency of the contact marked in the subtitle.
+/// G' and G" of each layer as "charts", and the "frequency" of the contact [Hz], null where none is to be had.
 Json materials_for_pages(const RollingScene& scene);
 
 }  // namespace rollres

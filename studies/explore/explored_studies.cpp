@@ -96,6 +96,7 @@ Json study_chart_for_pages(const std::filesystem::path& database, const Asked& a
   reply["points"] = chart.points;
   reply["unanswered"] = chart.unanswered;
   reply["missing"] = chart.missing;
+  reply["keys"] = {{"x", chart.x}, {"families", chart.families}};
   return reply;
 }
 

@@ -17,7 +17,8 @@ using Asked = std::map<std::string, std::string>;
 /// All studies and fits, with their axes, charts and how far they are. @throws std::runtime_error if the database fails
 Json studies_for_pages(const std::filesystem::path& database);
 
-/// The chart of "study"; "x", "y", "family", "chart" and "where" (filters, a line each) as options of `rollres chart`.
+/// The chart of "study"; "x", "y", "family", "chart" and "where" (filters, a line each) as options of `rollres chart`;
+/// "keys" has those of x and of the families.
 /// @throws std::invalid_argument as stored_chart
 Json study_chart_for_pages(const std::filesystem::path& database, const Asked& asked);
 

@@ -17,6 +17,7 @@
 #include "studies/figures/figure.hpp"
 #include "studies/scene_io/model_text.hpp"
 #include "studies/scene_io/scene_file.hpp"
+#include "studies/scene_io/solution_json.hpp"
 #include "studies/scene_io/summary.hpp"
 #include "studies/text/files.hpp"
 
@@ -120,7 +121,7 @@ Explorer::Explorer(const ExplorerOptions& options, Evaluate evaluate)
       curves_(evaluate_),
       runs_(options.folder, options.database) {
   first_scene_.erase("$schema");
-  read_(first_scene_, "scene");
+  first_held_ = parse_object(scene_json(read_(first_scene_, "scene")), "scene");
 }
 
 std::map<std::string, std::string> Explorer::headers() {
@@ -148,8 +149,10 @@ HttpReply Explorer::reply_to(const HttpRequest& request, const std::string& what
   try {
     if (request.method == "POST") return json_reply(posted(what, parse_object(request.body, "request")));
     if (what == "/start")
-      return json_reply(
-          {{"scene", first_scene_}, {"quantities", quantities_for_pages()}, {"database", database_.string()}});
+      return json_reply({{"scene", first_scene_},
+                         {"held", first_held_},
+                         {"quantities", quantities_for_pages()},
+                         {"database", database_.string()}});
     if (what == "/files") return json_reply({{"files", tables_below(folder_)}});
     if (what == "/studies") return json_reply(studies_for_pages(database_));
     if (what == "/runs") return json_reply(runs_.state());

@@ -56,7 +56,7 @@ class Explorer {
   std::string token_;
   std::atomic<int> port_ = 0;
   ReadScene read_;
-  Json first_scene_;
+  Json first_scene_, first_held_;  // as it is written, and in SI
   Evaluate evaluate_;
   StoredEvaluations curves_;  // answers without fields, kept while the page may ask for them again
   StudyRuns runs_;

@@ -81,15 +81,15 @@ export class Studies {
     await this.rows();
   }
 
-  // The scene of a mark: of the row with its x and, where one axis tells the curves apart, with that one's value.
+  // The scene of a mark, where its x and the family of its curve tell it.
   async open_point(chart, curve, point) {
-    const axes = this.list.find((one) => one.name === this.by('study').value).axes, x = this.by('study-x').value || axes[0];
-    const others = axes.filter((key) => key !== x), family = this.by('study-family').value || (others.length === 1 ? others[0] : '');
-    const one = chart.curves[curve], where = [x + '=' + one.points[point][0].toPrecision(6) + ' ' + (chart.x.unit === '1' ? '' : chart.x.unit)];
-    if (family && one.label) where.push(family + '=' + one.label);
+    const { x, families } = chart.keys, one = chart.curves[curve];
+    const where = [x + '=' + one.points[point][0].toPrecision(6) + ' ' + (chart.x.unit === '1' ? '' : chart.x.unit)];
+    if (families.length === 1) where.push(families[0] + '=' + one.label);
     try {
-      const found = await this.ask('rows?' + this.question({ limit: 1 }, where));
-      if (found.rows.length) this.open((await this.ask('point?id=' + found.rows[0][0])).scene);
+      const { rows } = await this.ask('rows?' + this.question({ limit: 2 }, where));
+      if (rows.length === 1) this.open((await this.ask('point?id=' + rows[0][0])).scene);
+      else this.notice((rows.length ? 'Several rows have' : 'No row has') + ' ' + where.join(' and ') + ': open it from the rows below.');
     } catch (error) { this.notice(error.message); }
   }
 

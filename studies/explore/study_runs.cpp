@@ -9,6 +9,7 @@
 #include <stdexcept>
 #include <system_error>
 
+#include "db/rows/result_store.hpp"
 #include "studies/scene_io/scene_inputs.hpp"
 #include "studies/study/study.hpp"
 #include "studies/text/files.hpp"
@@ -35,6 +36,15 @@ void refuse_files(const Json& study) {
 std::string text_if_any(const std::filesystem::path& file) {
   std::error_code none;
   return std::filesystem::exists(file, none) ? whole_file(file, largest_json) : "";
+}
+
+/// How far a study is; nothing while its process has not recorded it yet.
+std::optional<StudySummary> summary_if_any(const std::filesystem::path& database, const std::string& study) {
+  try {
+    return ResultStore(database, Access::read).study(study);
+  } catch (const std::runtime_error&) {
+    return std::nullopt;
+  }
 }
 
 /// Starts this program with other words; what it prints goes into a file.
@@ -113,11 +123,12 @@ Json StudyRuns::state() {
   Json list = Json::array();
   for (auto& [name, run] : runs_) {
     look(run);
-    list.push_back({{"study", name},
-                    {"file", run.file.string()},
-                    {"running", run.process != 0},
-                    {"status", run.status},
-                    {"words", run.process != 0 ? "" : whole_file(run.words, longest_words)}});
+    list.push_back(
+        {{"study", name}, {"file", run.file.string()}, {"running", run.process != 0}, {"status", run.status}});
+    if (run.process == 0)
+      list.back()["words"] = whole_file(run.words, longest_words);
+    else if (const auto study = summary_if_any(database_, name))
+      list.back().update({{"answered", study->answered}, {"points", study->points}});
   }
   return list;
 }

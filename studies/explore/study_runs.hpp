@@ -30,7 +30,8 @@ class StudyRuns {
   Json start(const Json& study);
   /// The first wish to stop of Ctrl-C: points in work are finished. Of no effect on one that has ended.
   void stop(const std::string& name);
-  /// Of all that were started: name, file, whether it runs, how it ended, what it printed.
+  /// Of all that were started: name, file, whether it runs and, while it does, its points and those answered, or how it
+  /// ended and what it printed.
   Json state();
 
  private:

@@ -16,6 +16,9 @@ export const scaled = (value, unit) => {
   return { factor, unit: letter + unit };
 };
 
+// 1000 of "kHz".
+export const factor_of = (scaled_unit, unit) => (prefixes.find(([, letter]) => letter + unit === scaled_unit) ?? [1])[0];
+
 export const typeset = (unit) => unit.replace(/\./g, '·').replace(/([a-zA-Z])(-?)([0-9])/g, (_, letter, minus, power) =>
   letter + (minus ? '⁻' : '') + '⁰¹²³⁴⁵⁶⁷⁸⁹'[power]);
 

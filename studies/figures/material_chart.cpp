@@ -4,10 +4,13 @@
 #include <algorithm>
 #include <array>
 #include <numbers>
+#include <stdexcept>
 
+#include "core/estimate/grid_choice.hpp"
 #include "core/material/master_curve.hpp"
 #include "core/material/material_functions.hpp"
 #include "core/material/material_scale.hpp"
+#include "core/solve/resolve.hpp"
 #include "studies/text/readable_number.hpp"
 
 namespace rollres {
@@ -192,6 +195,14 @@ ChartRequest spectrum_chart(const MaterialInputs& layer, const std::string& titl
     if (term.modulus > 0) terms.points.push_back({term.time, term.modulus / unit.factor});
   request.curves.push_back(std::move(terms));
   return request;
+}
+
+std::optional<double> contact_frequency(const RollingScene& scene) {
+  try {
+    return scene.speed / (turn * estimate_contact(resolve(scene)).half_width);
+  } catch (const std::domain_error&) {
+    return std::nullopt;
+  }
 }
 
 }  // namespace rollres

@@ -3,7 +3,9 @@
 /// A layer's material as charts. The rows of a master curve stand as marks, and what the material does beyond them is
 /// dashed: nothing was measured there.
 
-#include "core/scene/material_inputs.hpp"
+#include <optional>
+
+#include "core/scene/scene.hpp"
 #include "studies/drawing/chart.hpp"
 
 namespace rollres {
@@ -19,5 +21,9 @@ ChartRequest misfit_chart(const MaterialInputs& layer, const std::string& title)
 
 /// The moduli of relaxation over their times, at the layer's temperature. @param layer  not elastic
 ChartRequest spectrum_chart(const MaterialInputs& layer, const std::string& title);
+
+/// Frequency at which the contact asks the layers, V over 2 pi and the half-width of an estimate [Hz]; nothing where
+/// none is to be had.
+std::optional<double> contact_frequency(const RollingScene& scene);
 
 }  // namespace rollres

@@ -123,8 +123,7 @@ std::vector<double> spaced(const GivenAxis& axis, double from, double to) {
   if (from == to) refuse(axis.place, "to", last, "must differ from \"from\"");
   if (axis.logarithmic && (from <= 0 || to <= 0)) refuse(axis.place, "to", last, "logarithmic: both ends must be > 0");
   std::vector<double> values;
-  for (const double at : axis.positions)
-    values.push_back(at == 1 ? to : axis.logarithmic ? from * std::pow(to / from, at) : from + (to - from) * at);
+  for (const double at : axis.positions) values.push_back(spaced_value(from, to, at, axis.logarithmic));
   return values;
 }
 
@@ -182,6 +181,10 @@ void refuse_repeated_values(const std::vector<GivenAxis>& given, const std::vect
 }
 
 }  // namespace
+
+double spaced_value(double from, double to, double share, bool logarithmic) {
+  return share == 1 ? to : logarithmic ? from * std::pow(to / from, share) : from + (to - from) * share;
+}
 
 std::vector<GivenAxis> given_axes(const Json& study, const std::string& place, std::size_t variants,
                                   const std::vector<GivenAxis>& uncertain) {

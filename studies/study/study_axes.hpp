@@ -27,6 +27,9 @@ struct GivenAxis {
   std::size_t size() const { return positions.empty() ? values.size() : positions.size(); }
 };
 
+/// The value at a share of the way from one end to the other, whose own value stands there exactly.
+double spaced_value(double from, double to, double share, bool logarithmic);
+
 /// Group of the axes of a sample, and of those of what scatters.
 inline constexpr const char* sample_group = "sample";
 inline constexpr const char* uncertain_group = "uncertain";

@@ -130,6 +130,14 @@ def worst_point_of_a_study(browser):
     browser.until("!document.querySelector('#view-scene').hidden && rollres.idle()")
     same_as_command_line(browser)
     shown = browser.value("JSON.parse([...document.querySelectorAll('#numbers tbody tr')][0].cells[2].dataset.value)")
+    browser.click("#tab-studies")
+    browser.until("document.querySelectorAll('#study-chart circle').length === 18")
+    mark = browser.value("""(() => { const one = document.querySelectorAll('#study-chart circle')[12];
+        one.dispatchEvent(new Event('click')); return one.textContent; })()""")  # the fourth of the second load
+    browser.until("!document.querySelector('#view-scene').hidden && rollres.idle()")
+    scene = json.loads(text(browser, "#taken"))
+    assert scene["load"] == 4000, scene
+    assert abs(scene["speed"] / float(mark.split(" at ")[1]) - 1) < 1e-3, (mark, scene)
     assert any(abs(shown / 10**power / float(worst[3]) - 1) < 1e-4 for power in (-6, -3, 0, 3, 6)), (shown, worst)
 
 

@@ -222,6 +222,7 @@ TEST_CASE("stored studies are charts, rows a screen at a time, points and report
   const Json chart = page.read("chart", {{"study", "two loads"}, {"x", "speed"}});
   CHECK(chart["curves"].size() == 2);
   CHECK(chart["curves"][0]["points"].size() == 4);
+  CHECK(page.read("chart", {{"study", "two loads"}})["keys"] == Json{{"x", "speed"}, {"families", {"load"}}});
   const Json rows = page.read("rows", {{"study", "two loads"}, {"offset", "5"}, {"limit", "2"}, {"sort", "-speed"}});
   CHECK(page.read("count", {{"study", "two loads"}})["all"] == 8);
   CHECK(rows["rows"].size() == 2);
