@@ -48,6 +48,11 @@ struct ContactPowers {
   /// What half a cell is to friction's power: slip on one side of the nodes against slip at them. Falls like the
   /// spacing.
   double half_cell() const { return std::abs(friction - by_law); }
+  /// How far zones of slip are wider than cells: 1 where half a cell is less than half of friction's power, 0 where it
+  /// is all of it.
+  double slip_resolved() const {
+    return half_cell() < std::abs(friction) ? std::min(1.0, 2 - 2 * half_cell() / std::abs(friction)) : 0;
+  }
   /// How far shear tractions are open: at nodes that stick, or that slip in directions of their own [1].
   double open_shear() const { return std::max(sticking, 1 - drawn); }
   /// R_r: by the resultants, or by the losses where the resultants cancel.

@@ -114,6 +114,14 @@ void warn_of_memory(const GridError& error, RollingSolution& solution) {
 
 }  // namespace
 
+double open_friction(int dimension, const ContactPowers& powers) {
+  constexpr double of_sphere = 0.3, of_line = 0.8, where_all_stick = 4;
+  const double open = dimension == 3 ? powers.open_shear() : powers.sticking;
+  const double told =
+      (powers.by_law == 0 ? where_all_stick : 1) * (powers.share + (1 - powers.share) * std::sqrt(open));
+  return (dimension == 3 ? of_sphere : of_line) * told * powers.half_cell();
+}
+
 double expected_change(int dimension, double last, double before) {
   if (dimension == 3) return last;
   constexpr double part = 0.15;
@@ -123,23 +131,16 @@ double expected_change(int dimension, double last, double before) {
 
 namespace {
 
-/// What half a cell is to friction's power (N22b): all of it where R_r is taken from the losses. Of resultants it tells
-/// where tractions are open.
-double open_half_cell(const ContactPowers& powers, double open) {
-  return (powers.share + (1 - powers.share) * std::sqrt(open)) * powers.half_cell();
-}
-
 /// Of a sphere (N22a): what cells at the edge and friction's one-sided differences are known to do on such a grid, and
 /// what the last change is beyond that.
 double sphere_change(double last, const ContactPowers& powers, const EdgeTrust& trust) {
-  constexpr double of_edge = 2e-4, edge_order = 2.5, usual_cells = 18, of_friction = 0.8, friction_order = 1.2,
-                   of_half_cell = 0.3;
+  constexpr double of_edge = 2e-4, edge_order = 2.5, usual_cells = 18, of_friction = 0.8, friction_order = 1.2;
   const double lever = (1 - powers.share) * powers.halves + powers.share * 10 * std::abs(powers.resistance());
   const double edge = of_edge * lever * std::pow(usual_cells / powers.cells, edge_order), open = powers.open_shear();
   // Slip zones narrower than a few cells are told by the half cell alone.
   const double friction =
       std::hypot(of_friction * std::sqrt(open) * std::abs(powers.friction) * std::pow(powers.cells, -friction_order),
-                 of_half_cell * open_half_cell(powers, open));
+                 open_friction(3, powers));
   // Under a given approach the load, and R_r with it, is found to this share.
   constexpr double of_load = 0.05, load_order = 1.5;
   const double load =
@@ -166,28 +167,27 @@ EdgeTrust edge_trust(const ContactModel& model, double trust, const GridError& e
 }
 
 double expected_change(int dimension, double last, double before, const ContactPowers& powers, const EdgeTrust& edge) {
-  const double missing = powers.missing();
-  if (std::isnan(last)) return std::max(5 * missing, dimension == 3 ? sphere_change(0, powers, edge) : 0.0);
+  const double missing = powers.missing(), open = open_friction(dimension, powers);
+  if (std::isnan(last)) return std::max(5 * missing, dimension == 3 ? sphere_change(0, powers, edge) : open);
   if (dimension == 3) return sphere_change(last, powers, edge);
-  if (std::isnan(before)) return std::max(2 * last, 0.5 * missing);
+  if (std::isnan(before)) return std::max({2 * last, 0.5 * missing, open});
   constexpr double all = 0.42, of_before = 0.3, of_missing = 0.75;  // calibrated, as (N22) says
-  return all * std::hypot(std::hypot(last, of_before * before), of_missing * missing,
-                          open_half_cell(powers, powers.sticking));
+  return std::hypot(all * std::hypot(last, of_before * before), all * of_missing * missing, open);
 }
 
 double expected_change_of_tied_line(double last, double before, const ContactPowers& powers) {
   if (std::isnan(last) || std::isnan(before)) return expected_change(2, last, before, powers);
   // Where changes fall quickly, what is still to come is less than the last one; luck may lessen one.
-  constexpr double all = 0.75, quickest = 0.4, slowest = 0.7, of_missing = 0.12, of_half_cell = 1.06;
+  constexpr double all = 0.75, quickest = 0.4, slowest = 0.7, of_missing = 0.12;
   const double falling = before > 0 ? std::clamp(last / before, quickest, slowest) : slowest;
-  return all * std::hypot(std::sqrt(falling) * expected_change(2, last, before), of_missing * powers.missing(),
-                          of_half_cell * open_half_cell(powers, powers.sticking));
+  return std::hypot(all * std::sqrt(falling) * expected_change(2, last, before), all * of_missing * powers.missing(),
+                    open_friction(2, powers));
 }
 
-double GridError::estimate(double resistance, double change) const {
-  const double viscous = std::min(1.0, std::abs(slow_loss / resistance));
-  return 1.25 * (1 - slow_share * viscous) * change + of_unresolved * (1 - slow_share) * unresolved +
-         slow_share * slow_error;
+double GridError::estimate(double resistance, double change, double open_friction) const {
+  const double mended = slow_share * std::min(1.0, std::abs(slow_loss / resistance));
+  return 1.25 * std::hypot((1 - mended) * change, mended * open_friction) +
+         of_unresolved * (1 - slow_share) * unresolved + slow_share * slow_error;
 }
 
 namespace {

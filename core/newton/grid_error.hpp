@@ -21,8 +21,9 @@ struct GridError {
   double slow_share = 0;     ///< how much of `slow_loss` to take: 0 to 1, smooth in all inputs
   double memory_length = 0;  ///< longest V tau [m]
 
-  /// Estimated error of a resistance [N], from `expected_change` (N22).
-  double estimate(double resistance, double change) const;
+  /// Estimated error of a resistance [N], from `expected_change` (N22). Where the viscous loss is that of slow rolling,
+  /// a finer grid changes friction's part alone, by `open_friction` or so.
+  double estimate(double resistance, double change, double open_friction) const;
 };
 
 /// What finer grids may still change in a resistance [N]: what the last halving of the spacing changed, with a part of
@@ -50,6 +51,10 @@ double expected_change(int dimension, double last, double before, const ContactP
 /// The same of a cylinder on tied grids (grid_series.hpp), where changes are regular, and how quickly they fall tells
 /// what is to come; where nodes stick, friction's power is open by what half a cell is to it (N22b).
 double expected_change_of_tied_line(double last, double before, const ContactPowers& powers);
+
+/// What of these changes the slip between the nodes may make alone [N]: of slip zones narrower than a cell the grid
+/// knows no more.
+double open_friction(int dimension, const ContactPowers& powers);
 
 /// Much friction reduces the share of slow rolling. @param pressure on the problem's (half) grid [Pa]
 GridError grid_error(const ContactProblem& problem, const Vector& pressure, const std::vector<Zone>& zone,

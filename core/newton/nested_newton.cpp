@@ -200,7 +200,8 @@ double NestedOutcome::error_estimate(const GridError& error, double resistance) 
                                           edge_trust(finest.problem->model, finest.edge.trust, error));
   // Hollows of a profile that cells pass over make changes irregular.
   if (finest.problem->model.profiled() && last > to_come) to_come = last;
-  return error.estimate(resistance, limit(&GridNumbers::resistance).change_left(to_come)) +
+  return error.estimate(resistance, limit(&GridNumbers::resistance).change_left(to_come),
+                        open_friction(finest.problem->model.dimension, finest.powers)) +
          rounding * finest.powers.halves;
 }
 
@@ -218,7 +219,7 @@ HalvingLimit NestedOutcome::limit(double GridNumbers::*number) const {
   if (!tied || coarser.size() < 3) return {};
   const auto last = coarser.end();
   return HalvingLimit({last[-3].*number, last[-2].*number, last[-1].*number, numbers().*number},
-                      1 - finest.error.slow_share);
+                      (1 - finest.error.slow_share) * finest.powers.slip_resolved());
 }
 
 double NestedOutcome::error_estimate() const {
