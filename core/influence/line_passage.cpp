@@ -3,10 +3,14 @@
 #include <algorithm>
 #include <cmath>
 #include <memory>
+#include <mutex>
+#include <span>
+#include <vector>
 
 #include "core/influence/passage_kernel.hpp"
 #include "core/numerics/chebyshev.hpp"
 #include "core/numerics/memory_functions.hpp"
+#include "core/numerics/quadrature.hpp"
 #include "core/numerics/recently_made.hpp"
 #include "core/surface/deep_response.hpp"
 #include "core/surface/fourier_table.hpp"
@@ -83,86 +87,130 @@ std::shared_ptr<const NearSpectra> near_spectra(const ContactModel& model, const
   });
 }
 
-/// What the layers add to the displacements under a line force spread over a cell.
+/// What the layers add to a line force's displacements depends on.
+struct AddedKey {
+  SteadySurface surface;
+  double depth;  // of the nearest interface [m]
+  bool sheared;  // whether shear tractions act, which bend a ring
+
+  AddedKey(const ContactModel& model, const MemoryRange& told_apart)
+      : surface(steady_surface(model, told_apart)),
+        depth(nearest_interface(model)),
+        sheared(model.friction_coefficient > 0) {}
+  bool operator==(const AddedKey&) const = default;
+};
+
+/// What the layers add to the displacements under a line force.
 class AddedDisplacements {
  public:
-  AddedDisplacements(const ContactModel& model, double cell, const MemoryRange& told_apart)
-      : surface_(steady_surface(model, told_apart)),
-        depth_(nearest_interface(model)),
-        cell_(cell),
+  explicit AddedDisplacements(const AddedKey& key)
+      : surface_(key.surface),
+        depth_(key.depth),
         at_rest_(surface_.half_spaces(surface_.moduli(0))),
         long_waves_(surface_.long_waves()),
         pressed_(surface_.curvature(RingCurvature::Of::pressure)),
-        sheared_(model.friction_coefficient > 0 ? surface_.curvature(RingCurvature::Of::shear) : RingCurvature()),
+        sheared_(key.sheared ? surface_.curvature(RingCurvature::Of::shear) : RingCurvature()),
         table_(1, sheared_.none() ? 3 : 4, 0.1 * depth_ / surface_.longest_wave(),
                [this](double wavenumber, std::span<complex> values) { transform(wavenumber, values); }) {}
   AddedDisplacements(const AddedDisplacements&) = delete;
   AddedDisplacements& operator=(const AddedDisplacements&) = delete;
 
-  LayerSlopes operator()(double x) const {
+  /// At distances from the force. Threads wait for each other, as tables are made where they are asked for.
+  std::vector<LayerSlopes> operator()(std::span<const double> distances) const { return averages(distances, 0); }
+
+  /// The same of a force that is spread over a cell.
+  std::vector<LayerSlopes> averages(std::span<const double> distances, double cell) const {
+    const QuadratureRule& rule = gauss_rule(nodes_over(cell));
+    const std::lock_guard lock(mutex_);
+    std::vector<LayerSlopes> all;
+    for (const double x : distances) {
+      LayerSlopes sum = LayerSlopes::Zero();
+      for (std::size_t q = 0; q < rule.nodes.size(); ++q)
+        sum += rule.weights[q] * smooth(x + cell * (rule.nodes[q] - 0.5));
+      if (!pressed_.none()) sum(layer_slope::normal) += pressed_.displacement(x);
+      if (!sheared_.none()) sum(layer_slope::hoop) += sheared_.displacement(x);
+      all.push_back(sum);
+    }
+    return all;
+  }
+
+ private:
+  /// Of the Gauss rule that averages what is singular at 2i depths to 1e-13.
+  int nodes_over(double cell) const {
+    if (cell == 0) return 1;
+    const double away = 4 * depth_ / cell;
+    return static_cast<int>(std::ceil(15 / std::asinh(away)));
+  }
+
+  /// But for what short waves see of a ring's curvature.
+  LayerSlopes smooth(double x) const {
     LayerSlopes sum = table_(0, x / depth_);
     const double logarithm = std::log(x * x + 4 * depth_ * depth_) / (2 * M_PI);
     sum(layer_slope::normal) += (at_rest_.normal - long_waves_.normal).real() * logarithm;
     sum(layer_slope::tangential) += (at_rest_.longitudinal - long_waves_.longitudinal).real() * logarithm;
-    if (pressed_.none()) return sum;
-    sum(layer_slope::normal) += pressed_.at_rest() * logarithm + pressed_.displacement(x);
-    if (!sheared_.none()) sum(layer_slope::hoop) += sheared_.displacement(x);
+    if (!pressed_.none()) sum(layer_slope::normal) += pressed_.at_rest() * logarithm;
     return sum;
   }
 
- private:
   /// The integrand of (K9). Long waves are taken out of it as e^{-2k}/k, whose transform is the logarithm.
   void transform(double k, std::span<complex> values) const {
     constexpr complex i(0, 1);
-    const double along = k / depth_, spread = average_over_cell(along, cell_);
+    const double along = k / depth_;
     const SteadySurface::Moduli moduli = surface_.moduli(along);
     const SurfaceCompliance c = surface_(moduli, along, 0), deep = surface_.half_spaces(moduli);
     const double fade = std::exp(-2 * k), scale = 1 / (M_PI * k);
-    values[0] = scale * (spread * (along * c.normal - deep.normal) - pressed_(along) +
+    values[0] = scale * (along * c.normal - deep.normal - pressed_(along) +
                          fade * (at_rest_.normal - long_waves_.normal + pressed_.at_rest()));
-    values[1] = scale * (spread * (along * c.longitudinal - deep.longitudinal) +
+    values[1] = scale * (along * c.longitudinal - deep.longitudinal +
                          fade * (at_rest_.longitudinal - long_waves_.longitudinal));
-    values[2] = i * scale * spread * (along * c.cross - deep.cross);
-    if (values.size() > 3) values[3] = i * scale * (spread * along * c.hoop - sheared_(along));
+    values[2] = i * scale * (along * c.cross - deep.cross);
+    if (values.size() > 3) values[3] = i * scale * (along * c.hoop - sheared_(along));
   }
 
   SteadySurface surface_;
-  double depth_, cell_;
+  double depth_;
   SurfaceCompliance at_rest_, long_waves_;
   RingCurvature pressed_, sheared_;  // of a ring's short waves: taken out of the transform
   FourierTable table_;
+  mutable std::mutex mutex_;
 };
+
+/// The same for all grids of a scene, and for all scenes that differ in load, friction or body.
+std::shared_ptr<const AddedDisplacements> added_displacements(const AddedKey& key) {
+  static RecentlyMade<AddedKey, std::unique_ptr<const AddedDisplacements>, 16> cache;
+  const auto kept = cache(key, [&] { return std::make_unique<const AddedDisplacements>(key); });
+  return {kept, kept->get()};
+}
 
 /// Displacements that a ring still has of the same line force one turn, two turns, ... ago: the harmonics of a closed
 /// ring are whole numbers, and their sum is that of all turns of one that goes on for ever (Poisson).
 class EarlierTurns {
  public:
   /// @param alone the ring as a layer on a rigid base, without inertia   @param reach of the distances asked for [m]
-  EarlierTurns(const ContactModel& alone, double cell, const MemoryRange& told_apart, double reach)
-      : added_(alone, cell, told_apart),
-        turn_(2 * M_PI * alone.radius),
-        reach_(reach),
-        speed_(alone.speed),
-        turns_(turns_felt(alone)) {
+  EarlierTurns(const ContactModel& alone, const MemoryRange& told_apart, double reach)
+      : turn_(2 * M_PI * alone.radius), reach_(reach), speed_(alone.speed), turns_(turns_felt(alone)) {
     const MediumLayer face = foundation_of(alone, told_apart).front();
     deep_ = half_space_symbols(face.poisson_ratio);
     creep_ = face.material;
-    series_ = chebyshev_fit(nodes).series<LayerSlopes>([&](double t) { return sum_of_turns(reach_ * t); });
+    const std::shared_ptr<const AddedDisplacements> added = added_displacements({alone, told_apart});
+    series_ = chebyshev_fit(nodes).series<LayerSlopes>([&](double t) { return sum_of_turns(*added, reach_ * t); });
   }
 
   LayerSlopes operator()(double x) const { return chebyshev_sum(std::span<const LayerSlopes>(series_), x / reach_); }
 
  private:
   static constexpr int nodes = 24;
-  LayerSlopes sum_of_turns(double x) const {
+  LayerSlopes sum_of_turns(const AddedDisplacements& added, double x) const {
+    std::vector<double> places;
+    for (int turn = 1; turn <= turns_; ++turn) places.insert(places.end(), {x + turn * turn_, x - turn * turn_});
     LayerSlopes sum = LayerSlopes::Zero();
-    for (int turn = 1; turn <= turns_; ++turn) sum += at(x + turn * turn_) + at(x - turn * turn_);
+    for (const LayerSlopes& value : added(places)) sum += value;
+    for (const double place : places) add_half_space(place, sum);
     return sum;
   }
 
-  /// The whole displacement far from the force.
-  LayerSlopes at(double x) const {
-    LayerSlopes sum = added_(x);
+  /// What belongs to the whole displacement far from the force besides.
+  void add_half_space(double x, LayerSlopes& sum) const {
     const double pole = remembered_logarithm(creep_, speed_, x);
     double side = creep_.instantaneous * (x > 0 ? 1 : -1);
     for (const CreepSpectrum::Term& term : creep_.terms)
@@ -170,10 +218,8 @@ class EarlierTurns {
     sum(layer_slope::normal) -= deep_.normal * pole / M_PI;
     sum(layer_slope::tangential) -= deep_.longitudinal * pole / M_PI;
     sum(layer_slope::cross) -= 0.5 * deep_.cross * side;
-    return sum;
   }
 
-  AddedDisplacements added_;
   double turn_, reach_, speed_;
   int turns_;
   LayerSymbols deep_;
@@ -181,12 +227,28 @@ class EarlierTurns {
   std::vector<LayerSlopes> series_;
 };
 
+struct TurnsKey {
+  AddedKey added;
+  double radius, reach;  // [m]
+  int turns;
+  bool operator==(const TurnsKey&) const = default;
+};
+
+/// The same for all grids of a scene. @param alone  as above   @param reach  of a grid [m]
+std::shared_ptr<const EarlierTurns> earlier_turns(const ContactModel& alone, const MemoryRange& told_apart,
+                                                  double reach) {
+  reach = std::max(reach, 2 * alone.radius);
+  static RecentlyMade<TurnsKey, EarlierTurns, 16> cache;
+  return cache(TurnsKey{{alone, told_apart}, alone.radius, reach, turns_felt(alone)},
+               [&] { return EarlierTurns(alone, told_apart, reach); });
+}
+
 /// Adds what rings have not recovered from in a turn.
 void add_earlier_turns(InfluenceTable& table, const ContactModel& model, double cell, const MemoryRange& told_apart) {
   if (!model.ring() || left_after_turn(model) <= recovered(model)) return;
   const bool alone = model.coating.empty();
   const int reach = table.reach_x();
-  const EarlierTurns turns(alone ? model : coating_alone(model), cell, told_apart, reach * cell);
+  const EarlierTurns& turns = *earlier_turns(alone ? model : coating_alone(model), told_apart, reach * cell);
   InfluenceTable earlier(reach, 0);
   earlier.bend();
   for (int column = -reach; column <= reach; ++column) {
@@ -198,6 +260,11 @@ void add_earlier_turns(InfluenceTable& table, const ContactModel& model, double 
     earlier.hoop[at] = values(layer_slope::hoop) * (alone ? -1 : 1);
   }
   table.add_coating(coating_remembers_ahead(model) ? earlier.reversed() : earlier);
+}
+
+/// A length in steps of 64 from a unit, which grids share that are some halvings apart. @param round up or down
+double shared_length(double length, double unit, double (*round)(double)) {
+  return unit * std::exp2(6 * round(std::log2(length / unit) / 6));
 }
 
 }  // namespace
@@ -242,17 +309,22 @@ InfluenceTable line_passage_table(const ContactModel& model, const SurfaceGrid& 
     return table;
   };
   const bool ahead = coating_remembers_ahead(model);
-  const MemoryRange told_apart = memory_range(model.speed, cell, std::max(reach_x * cell, finite_thickness(model)));
+  const double depth = nearest_interface(model), unit = std::isfinite(depth) ? depth : cell;
+  const double finest = shared_length(cell, unit, std::floor),
+               farthest = shared_length(reach_x * cell, unit, std::ceil);
+  const MemoryRange told_apart = memory_range(model.speed, finest, std::max(farthest, finite_thickness(model)));
   const LayeredMedium coating = coating_of(model, told_apart);
   InfluenceTable table = half_spaces(foundation_of(model, told_apart), ahead ? LayeredMedium{} : coating);
   if (ahead) table.add_coating(half_spaces(coating, {}).reversed());
-  if (std::isinf(nearest_interface(model))) return table;
-  const AddedDisplacements added(model, cell, told_apart);
+  if (std::isinf(depth)) return table;
   const bool sheared_ring = model.ring() && model.friction_coefficient > 0;
   if (sheared_ring) table.bend();
+  std::vector<double> distances;
+  for (int column = -reach_x; column <= reach_x; ++column) distances.push_back(column * cell);
+  const std::vector<LayerSlopes> added = added_displacements({model, told_apart})->averages(distances, cell);
   for (int column = -reach_x; column <= reach_x; ++column) {
     const auto at = static_cast<std::size_t>(table.index(column, 0));
-    const LayerSlopes values = added(column * cell);
+    const LayerSlopes& values = added[static_cast<std::size_t>(column + reach_x)];
     table.ww[at] += values(layer_slope::normal);
     table.uu[at] += values(layer_slope::tangential);
     table.uw[at] += values(layer_slope::cross);

@@ -121,12 +121,14 @@ double entire_part(double x) {
 
 constexpr double tabled_to = 1024;
 
-/// A function of x from 1 to tabled_to whose only singularity is 0: on panels that double it is as smooth as on the
-/// first.
-ChebyshevTable<1> on_doublings(double (*function)(double)) {
+/// A function of x from 1 to tabled_to whose only singularity is 0: on panels in constant ratio it is as smooth as on
+/// the first.
+ChebyshevTable<1> on_panels(double (*function)(double)) {
+  constexpr int panels_to_double = 4;
   std::vector<double> borders;
-  for (double x = 1; x <= tabled_to; x *= 2) borders.push_back(x);
-  return {borders, 22, [&](double x) { return ChebyshevTable<1>::Values::Constant(function(x)); }};
+  for (int panel = 0; borders.empty() || borders.back() < tabled_to; ++panel)
+    borders.push_back(std::exp2(static_cast<double>(panel) / panels_to_double));
+  return {borders, 12, [&](double x) { return ChebyshevTable<1>::Values::Constant(function(x)); }};
 }
 
 /// 1/x (1 + sign/x + 2/x^2 + sign 6/x^3 + ...)
@@ -148,7 +150,7 @@ double fraction_of_exponential_integral(double x) {
 double scaled_exponential_integral(double x) {
   if (x < 1) return -std::exp(x) * (euler + std::log(x) + entire_part(-x));
   if (x >= tabled_to) return far_integral(x, -1);
-  static const ChebyshevTable<1> table = on_doublings(fraction_of_exponential_integral);
+  static const ChebyshevTable<1> table = on_panels(fraction_of_exponential_integral);
   return table(x)[0];
 }
 
@@ -156,7 +158,7 @@ double scaled_growing_integral(double x) {
   if (x < 1) return std::exp(-x) * (euler + std::log(x) + entire_part(x));
   if (x >= tabled_to) return far_integral(x, 1);
   static const ChebyshevTable<1> table =
-      on_doublings([](double at) { return at < 40 ? std::exp(-at) * std::expint(at) : far_integral(at, 1); });
+      on_panels([](double at) { return at < 40 ? std::exp(-at) * std::expint(at) : far_integral(at, 1); });
   return table(x)[0];
 }
 

@@ -129,6 +129,34 @@ std::pair<double, double> position(MemoryRule::Singular singular, double t) {
 /// Chebyshev-Lobatto node on [0, 1], ascending.
 double lobatto(int index, int order) { return 0.5 * (1 - std::cos(M_PI * index / order)); }
 
+const QuadratureRule& panel_gauss() {
+  static const QuadratureRule rule = gauss_legendre(20);
+  return rule;
+}
+
+/// Lagrange's basis on the Chebyshev-Lobatto nodes of [0, 1] at the Gauss points of the half next to 2^-halvings below
+/// it, or of all below it.
+struct LobattoBasis {
+  static int key(int order, int halvings, bool all) { return (order * most_halvings + halvings) * 2 + (all ? 1 : 0); }
+  static constexpr int most_halvings = 2048;  // of a double
+
+  explicit LobattoBasis(int key) {
+    const int order = key / 2 / most_halvings;
+    const double upper = std::ldexp(1, -(key / 2 % most_halvings)), lower = key % 2 ? 0 : 0.5 * upper;
+    const std::vector<double>& points = panel_gauss().nodes;
+    values.resize(order + 1, static_cast<Eigen::Index>(points.size()));
+    for (std::size_t g = 0; g < points.size(); ++g) {
+      auto column = values.col(static_cast<Eigen::Index>(g));
+      for (int q = 0; q <= order; ++q)  // barycentric
+        column(q) = ((q == 0 || q == order) ? 0.5 : 1.0) * (q % 2 ? -1 : 1) /
+                    (lower + (upper - lower) * points[g] - lobatto(q, order));
+      column /= column.sum();
+    }
+  }
+
+  Eigen::MatrixXd values;  // [node, point]
+};
+
 }  // namespace
 
 void MemoryRule::add_panel(double start, double length, int order, Singular singular) {
@@ -137,38 +165,28 @@ void MemoryRule::add_panel(double start, double length, int order, Singular sing
 }
 
 Eigen::VectorXd MemoryRule::weights(double memory_length) const {
-  static const QuadratureRule gauss = gauss_legendre(20);
+  const QuadratureRule& gauss = panel_gauss();
   Eigen::VectorXd weights = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(nodes_.size()));
+  Eigen::VectorXd factors(static_cast<Eigen::Index>(gauss.nodes.size()));
   Eigen::Index first = 0;
   for (const Panel& panel : panels_) {
-    const int order = panel.order;
     const double decay = panel.length / memory_length;
-    std::vector<double> basis(static_cast<std::size_t>(order + 1)), node(basis);
-    for (int q = 0; q <= order; ++q) node[static_cast<std::size_t>(q)] = lobatto(q, order);
     // Intervals of t halved towards 0 until the exponential hardly changes within them.
-    if (panel.start / memory_length < 45)
-      for (double upper = 1; upper > 0;) {
-        const double below = decay * position(panel.singular, 0.5 * upper).first;
-        const bool last = decay * position(panel.singular, upper).first < 2;
-        const double lower = last ? 0 : 0.5 * upper;
-        if (last || below < 45)
-          for (std::size_t g = 0; g < gauss.nodes.size(); ++g) {
-            const double t = lower + (upper - lower) * gauss.nodes[g];
-            const auto [s, slope] = position(panel.singular, t);
-            const double factor =
-                (upper - lower) * gauss.weights[g] * slope * decay * std::exp(-panel.start / memory_length - decay * s);
-            double sum = 0;  // barycentric Lagrange basis on Chebyshev-Lobatto nodes
-            for (int q = 0; q <= order; ++q) {
-              const double term =
-                  ((q == 0 || q == order) ? 0.5 : 1.0) * (q % 2 ? -1 : 1) / (t - node[static_cast<std::size_t>(q)]);
-              basis[static_cast<std::size_t>(q)] = term;
-              sum += term;
-            }
-            for (int q = 0; q <= order; ++q) weights(first + q) += factor * basis[static_cast<std::size_t>(q)] / sum;
-          }
-        upper = lower;
+    bool last = panel.start / memory_length >= 45;
+    for (int halvings = 0; !last; ++halvings) {
+      const double upper = std::ldexp(1, -halvings), below = decay * position(panel.singular, 0.5 * upper).first;
+      last = decay * position(panel.singular, upper).first < 2;
+      if (!last && below >= 45) continue;
+      const double lower = last ? 0 : 0.5 * upper;
+      for (std::size_t g = 0; g < gauss.nodes.size(); ++g) {
+        const auto [s, slope] = position(panel.singular, lower + (upper - lower) * gauss.nodes[g]);
+        factors(static_cast<Eigen::Index>(g)) =
+            (upper - lower) * gauss.weights[g] * slope * decay * std::exp(-panel.start / memory_length - decay * s);
       }
-    first += order + 1;
+      weights.segment(first, panel.order + 1).noalias() +=
+          kept_for_thread<LobattoBasis>(LobattoBasis::key(panel.order, halvings, last)).values * factors;
+    }
+    first += panel.order + 1;
   }
   return weights;
 }

@@ -34,10 +34,13 @@ int step_for(const ContactModel& model, int step) {
 /// The same of a cylinder.
 constexpr double cells_of_line = 60;
 
+bool grids_are_tied(const ContactModel& model) {
+  return !model.spacing && (model.dimension == 3 || model.adhesion_threshold == 0);
+}
+
 GridSeries grids_of(const ContactModel& model) {
-  if (model.dimension == 3 && !model.spacing) return tied_grids(model, tied_cells(step_for(model, 0)));
-  if (!model.spacing && model.adhesion_threshold == 0) return tied_lines(model, cells_of_line);
-  return fixed_grids(model, model.spacing.value_or(default_spacing(model)));
+  if (!grids_are_tied(model)) return fixed_grids(model, model.spacing.value_or(default_spacing(model)));
+  return model.dimension == 3 ? tied_grids(model, tied_cells(step_for(model, 0))) : tied_lines(model, cells_of_line);
 }
 
 /// A larger violation of the laws, in scenes far from any layer's, is mended by factorising systems of up to so many
@@ -154,6 +157,18 @@ RollingSolution answer_from(const NestedOutcome& nested, const ContactModel& mod
 }
 
 }  // namespace
+
+bool has_coarse_grid(const ContactModel& model) {
+  return (model.method == Method::newton || model.method == Method::newton_dense) && grids_are_tied(model);
+}
+
+RollingSolution solve_on_coarse_grid(const ContactModel& model) {
+  constexpr double few_cells_of_line = 12;
+  return answer_from(
+      solve_nested(model, model.dimension == 3 ? tied_grids(model, tied_cells(step_for(model, coarsest_step)))
+                                               : tied_lines(model, few_cells_of_line)),
+      model);
+}
 
 int most_nodes(const ContactModel& model) { return model.dimension == 3 ? 250000 : 20000; }
 

@@ -20,6 +20,8 @@ namespace rollres {
 struct SurfaceMedia {
   LayeredMedium foundation, coating;  ///< the latter may be none
   bool backwards = false;             ///< the coating flows against the motion
+
+  bool operator==(const SurfaceMedia&) const = default;
 };
 
 class SteadySurface {
@@ -27,6 +29,7 @@ class SteadySurface {
   /// One layer on a rigid base, or a half-space, of one material without inertia. @param speed V [m/s]
   SteadySurface(const Layer& layer, CreepSpectrum material, double speed);
   SteadySurface(SurfaceMedia media, double speed);
+  bool operator==(const SteadySurface&) const = default;
 
   /// Moduli for one wavenumber along the motion.
   struct Moduli {

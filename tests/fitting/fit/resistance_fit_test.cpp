@@ -180,9 +180,9 @@ TEST_CASE("steps of its own carry a fit over the model's noise, and a place that
         fit(known(resistance_problem(scenes, zener_inputs(), noisy_resistance(draw))), {.profiles = false});
     INFO("draw " << draw << ": " << own.reason);
     CHECK(own.noise > 3e-4);
-    CHECK(own.parameters[0].step > 1e-3);
     if (own.status < FitStatus::usable_with_warnings) continue;
     ++usable;
+    CHECK(own.parameters[0].step > 1e-3);
     for (std::size_t j = 0; j < 3; ++j)
       CHECK(std::abs(own.parameters[j].value - smooth.parameters[j].value) < 3 * smooth.parameters[j].standard_error);
   }
