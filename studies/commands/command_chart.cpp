@@ -115,7 +115,7 @@ std::string fit_meant(const ChartArguments& arguments, ResultStore& store) {
   if (arguments.studies.empty()) return store.study_names().empty() && fits.size() == 1 ? fits.front().name : "";
   const std::string& name = arguments.studies.front();
   const bool is_fit = std::any_of(fits.begin(), fits.end(), [&](const FitSummary& fit) { return fit.name == name; });
-  return is_fit && !store.study(name) ? name : "";
+  return is_fit && !store.definition(name) ? name : "";
 }
 
 void refuse_for_a_fit(const ChartArguments& arguments) {

@@ -92,7 +92,7 @@ void print_table(const CompareArguments& arguments, const StudyComparison& compa
 std::optional<StoredComparison> compared_fits(const CompareArguments& arguments) {
   const std::string& other = arguments.other_database.empty() ? arguments.database : arguments.other_database;
   ResultStore first(arguments.database, Access::read), second(other, Access::read);
-  if (first.study(arguments.studies.front()) || second.study(arguments.studies.back())) return std::nullopt;
+  if (first.definition(arguments.studies.front()) || second.definition(arguments.studies.back())) return std::nullopt;
   const auto a = find_fit(first.database(), arguments.studies.front(), FitParts::with_data);
   const auto b = find_fit(second.database(), arguments.studies.back(), FitParts::with_data);
   if (!a && !b) return std::nullopt;
@@ -166,7 +166,7 @@ void compare(CompareArguments arguments, Session& session) {
     const std::string& other = arguments.other_database.empty() ? arguments.database : arguments.other_database;
     ResultStore store(other, Access::read);
     for (std::size_t i = 1; i < studies.size(); ++i)
-      if (store.study(studies[i]) || !find_fit(store.database(), studies[i]))
+      if (store.definition(studies[i]) || !find_fit(store.database(), studies[i]))
         stored_study_name(store, studies[i]);  // or refuses, before any is printed
   }
   for (std::size_t i = 1; i < studies.size(); ++i) {

@@ -120,9 +120,9 @@ struct ExportArguments {
 std::optional<FitRecord> fit_to_export(const ExportArguments& arguments) {
   ResultStore store(arguments.database, Access::read);
   std::string name = arguments.study;
-  if (const auto fits = stored_fits(store.database()); name.empty() && store.studies().empty() && fits.size() == 1)
+  if (const auto fits = stored_fits(store.database()); name.empty() && store.study_names().empty() && fits.size() == 1)
     name = fits.front().name;
-  if (name.empty() || store.study(name)) return std::nullopt;
+  if (name.empty() || store.definition(name)) return std::nullopt;
   return find_fit(store.database(), name, FitParts::with_data);
 }
 

@@ -27,9 +27,9 @@ StudyReport fit_report(const FitRecord& fit, const std::string& file) {
 StudyReport report_of(ResultStore& store, const ReportOptions& options) {
   const std::string& file = store.database().name();
   std::string name = options.study;
-  if (const auto fits = stored_fits(store.database()); name.empty() && fits.size() == 1 && store.studies().empty())
+  if (const auto fits = stored_fits(store.database()); name.empty() && fits.size() == 1 && store.study_names().empty())
     name = fits.front().name;
-  if (!name.empty() && !store.study(name))
+  if (!name.empty() && !store.definition(name))
     if (const auto fit = find_fit(store.database(), name, FitParts::with_data)) return fit_report(*fit, file);
 
   const StudySummary study = stored_study(store, options.study);

@@ -60,7 +60,7 @@ std::string export_study(const std::filesystem::path& database, const std::strin
   ResultStore store(database, Access::read);
   const std::string name = stored_study_name(store, wanted);
   const std::filesystem::path own = folder / "results.db";
-  if (std::filesystem::exists(own) && !ResultStore(own, Access::read).study(name))
+  if (std::filesystem::exists(own) && !ResultStore(own, Access::read).definition(name))
     throw std::invalid_argument("out = " + folder.string() + ": holds another study");
   make_directory(folder);
 
