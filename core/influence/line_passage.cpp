@@ -87,7 +87,7 @@ std::shared_ptr<const NearSpectra> near_spectra(const ContactModel& model, const
   });
 }
 
-/// What the layers add to a line force's displacements depends on.
+/// Inputs of what the layers add to the displacements under a line force.
 struct AddedKey {
   SteadySurface surface;
   double depth;  // of the nearest interface [m]

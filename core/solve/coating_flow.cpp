@@ -49,12 +49,18 @@ using Solve = std::function<RollingSolution(const ContactModel&)>;
 /// The search for the flow that the answer gives itself.
 class FlowSearch {
  public:
-  explicit FlowSearch(const ContactModel& full) : full_(full), flow_(full.flow) {}
+  explicit FlowSearch(const ContactModel& full) : full_(&full), flow_(full.flow) {}
 
-  /// Secants until what is left of the flow changes R_r by less than a share of its stated error. They begin where a
-  /// search on a coarser grid ended, with its contact. @return false where the flow would stop or turn back
+  /// The first solution, or the next one at the flow that was found on a coarser grid, with its contact.
+  const RollingSolution& begin(const Solve& solve_at) {
+    solve_at_flow(solve_at);
+    return *found_;
+  }
+
+  /// Secants until what is left of the flow changes R_r by less than a share of its stated error.
+  /// @return false where the flow would stop or turn back
   bool run(const Solve& solve_at, double share_of_error) {
-    if (!solve_at_flow(solve_at)) return true;
+    if (!converged()) return true;
     for (int solutions = 1;; ++solutions) {
       const double step = (found_->rotation_ratio - flow_) / (1 - response_);
       const double left = sensitivity_.value_or(std::abs(found_->rolling_resistance)) * std::abs(step);
@@ -83,13 +89,13 @@ class FlowSearch {
   static constexpr int most_solutions = 8;
 
   bool solve_at_flow(const Solve& solve_at) {
-    model_ = simplified(full_.with_flow(flow_));
+    model_ = simplified(full_->with_flow(flow_));
     if (found_) model_ = with_own_share(std::move(*model_), *found_);
     found_ = solve_at(*model_);
     return converged();
   }
 
-  const ContactModel& full_;
+  const ContactModel* full_;
   std::optional<ContactModel> model_;  // of the last solution
   double flow_, response_ = 0;         // d ratio/d flow
   std::optional<double> sensitivity_;  // |d R_r/d flow|: R_r itself before it is known [N]
@@ -106,10 +112,22 @@ RollingSolution solve_at_own_flow(const ContactModel& full, const Solve& solve_a
                                                                            : solution;
   }
   constexpr double share_of_coarse_error = 0.1, share_of_error = 0.01;
-  FlowSearch coarse(full);
-  const bool begun =
-      has_coarse_grid(first) && coarse.run(solve_on_coarse_grid, share_of_coarse_error) && coarse.converged();
-  FlowSearch search = begun ? std::move(coarse) : FlowSearch(full);
+  FlowSearch search(full);
+  // A coarse grid finds the flow, also where continuous edges hand over to a grid, which they do at every flow.
+  bool on_grid = first.method == Method::newton || first.method == Method::newton_dense, begun = false;
+  if (!on_grid) {
+    on_grid = search.begin(solve_at).method == Method::newton && search.converged();
+    begun = true;
+  }
+  if (on_grid && has_coarse_grid(first)) {
+    FlowSearch coarse(full);
+    coarse.begin(solve_on_coarse_grid);
+    if (coarse.run(solve_on_coarse_grid, share_of_coarse_error) && coarse.converged()) {
+      search = std::move(coarse);
+      begun = false;
+    }
+  }
+  if (!begun) search.begin(solve_at);
   if (!search.run(solve_at, share_of_error))
     return without_answer(search.found().method, Status::not_converged, stopped);
   return std::move(search.found());

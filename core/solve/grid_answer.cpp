@@ -12,6 +12,10 @@
 
 namespace rollres {
 
+bool has_coarse_grid(const ContactModel& model) {
+  return !model.spacing && (model.dimension == 3 || model.adhesion_threshold == 0);
+}
+
 namespace {
 
 /// Cells on the half-width of a sphere's contact, by steps of sqrt(2). No sum of two squares lies within 1.2 % of the
@@ -34,12 +38,8 @@ int step_for(const ContactModel& model, int step) {
 /// The same of a cylinder.
 constexpr double cells_of_line = 60;
 
-bool grids_are_tied(const ContactModel& model) {
-  return !model.spacing && (model.dimension == 3 || model.adhesion_threshold == 0);
-}
-
 GridSeries grids_of(const ContactModel& model) {
-  if (!grids_are_tied(model)) return fixed_grids(model, model.spacing.value_or(default_spacing(model)));
+  if (!has_coarse_grid(model)) return fixed_grids(model, model.spacing.value_or(default_spacing(model)));
   return model.dimension == 3 ? tied_grids(model, tied_cells(step_for(model, 0))) : tied_lines(model, cells_of_line);
 }
 
@@ -157,10 +157,6 @@ RollingSolution answer_from(const NestedOutcome& nested, const ContactModel& mod
 }
 
 }  // namespace
-
-bool has_coarse_grid(const ContactModel& model) {
-  return (model.method == Method::newton || model.method == Method::newton_dense) && grids_are_tied(model);
-}
 
 RollingSolution solve_on_coarse_grid(const ContactModel& model) {
   constexpr double few_cells_of_line = 12;

@@ -14,7 +14,7 @@ int most_nodes(const ContactModel& model);
 /// @param most_nodes in contact; beyond, a tolerance is given up
 RollingSolution solve_on_grids(const ContactModel& model, int most_nodes);
 
-/// Whether the Newton method solves the model, on grids tied to the contact.
+/// Whether grids are tied to the contact, so that there is a coarse one: no spacing is given.
 bool has_coarse_grid(const ContactModel& model);
 
 /// On a coarse grid tied to the contact, for where a search may begin: R_r and rotation to a few per cent or better.
