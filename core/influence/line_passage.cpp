@@ -120,13 +120,10 @@ class AddedDisplacements {
 
   /// The same of a force that is spread over a cell.
   std::vector<LayerSlopes> averages(std::span<const double> distances, double cell) const {
-    const QuadratureRule& rule = gauss_rule(nodes_over(cell));
     const std::lock_guard lock(mutex_);
     std::vector<LayerSlopes> all;
     for (const double x : distances) {
-      LayerSlopes sum = LayerSlopes::Zero();
-      for (std::size_t q = 0; q < rule.nodes.size(); ++q)
-        sum += rule.weights[q] * smooth(x + cell * (rule.nodes[q] - 0.5));
+      LayerSlopes sum = cell > 0 ? average(x - 0.5 * cell, x + 0.5 * cell) : smooth(x);
       if (!pressed_.none()) sum(layer_slope::normal) += pressed_.displacement(x);
       if (!sheared_.none()) sum(layer_slope::hoop) += sheared_.displacement(x);
       all.push_back(sum);
@@ -135,11 +132,22 @@ class AddedDisplacements {
   }
 
  private:
-  /// Of the Gauss rule that averages what is singular at 2i depths to 1e-13.
-  int nodes_over(double cell) const {
-    if (cell == 0) return 1;
-    const double away = 4 * depth_ / cell;
-    return static_cast<int>(std::ceil(15 / std::asinh(away)));
+  /// By Gauss rules to 1e-13 for what is singular at +-2i depths: one over a cell below 2 depths, else on panels that
+  /// widen with the distance from 0.
+  LayerSlopes average(double from, double to) const {
+    const double cell = to - from, nearest = 2 * depth_;
+    constexpr int nodes_of_panel = 14;
+    const bool whole = cell < nearest;
+    const int nodes = whole ? static_cast<int>(std::ceil(15 / std::asinh(2 * nearest / cell))) : nodes_of_panel;
+    const QuadratureRule& rule = gauss_rule(nodes);
+    LayerSlopes sum = LayerSlopes::Zero();
+    for (double start = from, end = to; start < to; start = end) {
+      const double widest = start < 0 ? 0.5 * (nearest - start) : nearest + start;
+      end = whole ? to : std::min(to, start + widest);
+      for (std::size_t q = 0; q < rule.nodes.size(); ++q)
+        sum += rule.weights[q] * (end - start) / cell * smooth(start + (end - start) * rule.nodes[q]);
+    }
+    return sum;
   }
 
   /// But for what short waves see of a ring's curvature.
@@ -248,12 +256,12 @@ void add_earlier_turns(InfluenceTable& table, const ContactModel& model, double 
   if (!model.ring() || left_after_turn(model) <= recovered(model)) return;
   const bool alone = model.coating.empty();
   const int reach = table.reach_x();
-  const EarlierTurns& turns = *earlier_turns(alone ? model : coating_alone(model), told_apart, reach * cell);
+  const auto turns = earlier_turns(alone ? model : coating_alone(model), told_apart, reach * cell);
   InfluenceTable earlier(reach, 0);
   earlier.bend();
   for (int column = -reach; column <= reach; ++column) {
     const auto at = static_cast<std::size_t>(table.index(column, 0));
-    const LayerSlopes values = turns(column * cell);
+    const LayerSlopes values = (*turns)(column * cell);
     earlier.ww[at] = values(layer_slope::normal);
     earlier.uu[at] = values(layer_slope::tangential);
     earlier.uw[at] = values(layer_slope::cross) * (alone ? -1 : 1);

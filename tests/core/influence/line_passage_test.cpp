@@ -42,6 +42,32 @@ SurfaceGrid line(double spacing, int columns) {
 
 }  // namespace
 
+TEST_CASE("where a layer is cut in two changes nothing, be the upper part far thinner than a cell",
+          "[core][line_passage]") {
+  // A rule of nodes over a cell that follows the thickness would not end.
+  const SurfaceGrid grid = line(0.5e-3, 30);
+  RollingScene scene = two_layers();
+  static_cast<MaterialInputs&>(scene.lower_layers.front()) = scene;
+  const auto cut_at = [&](double depth) {
+    scene.layer_thickness = depth;
+    scene.lower_layers.front().layer_thickness = 0.005 - depth;
+    return line_passage_table(scene, grid, grid.columns);
+  };
+  const InfluenceTable half = cut_at(0.0025);
+  for (const double depth : {1e-4, 1e-6, 1e-9}) {
+    const InfluenceTable sheet = cut_at(depth);
+    for (const auto component : {&InfluenceTable::ww, &InfluenceTable::uu, &InfluenceTable::uw}) {
+      double largest = 0, difference = 0;
+      for (std::size_t i = 0; i < (half.*component).size(); ++i) {
+        largest = std::max(largest, std::abs((half.*component)[i]));
+        difference = std::max(difference, std::abs((sheet.*component)[i] - (half.*component)[i]));
+      }
+      CAPTURE(depth, difference, largest);
+      CHECK(difference < 1e-8 * largest);
+    }
+  }
+}
+
 TEST_CASE("a single passage over two layers under a cylinder is a train of bodies far apart", "[core][line_passage]") {
   const SurfaceGrid grid = line(0.5e-3, 30);
   for (const bool inertia : {false, true}) {
