@@ -14,12 +14,13 @@
 #include "core/model/scene_rules.hpp"
 #include "core/model/stated_error.hpp"
 #include "core/newton/grid_solution.hpp"
+#include "core/numerics/solution_limits.hpp"
 #include "core/paper_method/paper_solution.hpp"
 #include "core/solve/coating_flow.hpp"
 #include "core/solve/doubts.hpp"
 #include "core/solve/grid_answer.hpp"
-#include "core/solve/turned_axle.hpp"
 #include "core/solve/torque_limit.hpp"
+#include "core/solve/turned_axle.hpp"
 #include "core/zones/spectral_contact.hpp"
 
 namespace rollres {
@@ -61,6 +62,12 @@ RollingSolution solve_by_method(const ContactModel& model, std::optional<FoundZo
   return solution;
 }
 
+/// While it lives time does not end: an answer that is there is judged and described, as it may be the best of those
+/// for which a tolerance had time. The wish to stop is heard.
+struct UntimedWork {
+  SolutionLimits limits{usual_memory_limit()};
+};
+
 /// What a method answers, if it is an answer.
 RollingSolution trusted_answer(const ContactModel& model, std::optional<FoundZones>& zones) {
   std::string refused = unanswered_inertia(model);
@@ -68,6 +75,7 @@ RollingSolution trusted_answer(const ContactModel& model, std::optional<FoundZon
   if (!refused.empty()) return without_answer(model.method, Status::no_steady_state, refused);
   RollingSolution solution = solve_by_method(model, zones);
   if (solution.status != Status::converged) return solution;
+  const UntimedWork untimed;
   refused = unanswered_inertia(model, solution);
   if (!refused.empty()) return without_answer(model.method, Status::no_steady_state, refused);
   if (std::string why = doubt(model, solution); !why.empty())
@@ -134,6 +142,7 @@ bool take_spectrum_error(const ContactModel& model, RollingSolution& solution) {
 RollingSolution judged_answer(const ContactModel& model, std::optional<FoundZones>& zones) {
   RollingSolution solution = trusted_answer(model, zones);
   if (solution.status != Status::converged) return solution;
+  const UntimedWork untimed;
   const bool said_by_method = misses_tolerance(model, model.tolerance, solution);
   take_evidence(model, solution);
   const std::string note = std::move(solution.model);
@@ -150,6 +159,7 @@ RollingSolution judged_answer(const ContactModel& model, std::optional<FoundZone
 
 /// Adds what the model assumes, its error, and warnings.
 void describe(const ContactModel& model, RollingSolution& solution) {
+  const UntimedWork untimed;
   const std::vector<Assumption> assumed = assumptions(model, solution);
   for (const Assumption& assumption : assumed) solution.assumptions.push_back(in_words(assumption));
   solution.model_error = model_error(assumed).value_or(RollingSolution::absent);
