@@ -2,7 +2,9 @@
 
 #include <unistd.h>
 
+#include <chrono>
 #include <csignal>
+#include <cstdint>
 #include <iterator>
 #include <string_view>
 
@@ -13,7 +15,12 @@ namespace rollres {
 namespace {
 
 std::atomic<bool> wish_to_stop = false;
-static_assert(std::atomic<bool>::is_always_lock_free, "a signal handler may only touch lock-free atomics");
+std::atomic<std::int64_t> since = 0;  // [ms]
+static_assert(std::atomic<bool>::is_always_lock_free && std::atomic<std::int64_t>::is_always_lock_free,
+              "a signal handler may only touch lock-free atomics");
+
+/// Within it a second signal is the first one's twin: timeout and shells send theirs to a process and to its group.
+constexpr std::int64_t twin_within = 300;  // [ms]
 
 constexpr int signals[] = {SIGINT, SIGTERM};
 void (*before[std::size(signals)])(int) = {};  // who had them
@@ -31,8 +38,15 @@ extern "C" void end_in_words(int signal) {
 }
 
 extern "C" void note_wish(int signal) {
-  wish_to_stop = true;
-  std::signal(signal, says_so ? end_in_words : SIG_DFL);
+  using namespace std::chrono;
+  const std::int64_t now = duration_cast<milliseconds>(steady_clock::now().time_since_epoch()).count();
+  if (!wish_to_stop.exchange(true)) {
+    since = now;
+  } else if (now - since > twin_within) {
+    if (says_so) return end_in_words(signal);
+    std::signal(signal, SIG_DFL);
+    std::raise(signal);
+  }
 }
 
 }  // namespace

@@ -10,8 +10,8 @@ namespace rollres {
 /// "terminated") on standard error, and with the status that signals give: 130, 143. One that is ignored stays so.
 void end_in_words_at_signals();
 
-/// While it lives, the first of these signals sets `requested`; the second ends the program at once, as usual.
-/// Afterwards they are as they were.
+/// While it lives, the first of these signals sets `requested`; a second one, some tenths of a second later or more,
+/// ends the program at once, as usual. Afterwards they are as they were.
 class StopSignal {
  public:
   StopSignal();

@@ -203,6 +203,21 @@ TEST_CASE("after a stop signal is waited for, signals are whose they were", "[st
   CHECK(std::signal(SIGTERM, SIG_DFL) == SIG_IGN);
 }
 
+TEST_CASE("a stop signal that comes twice at once is one, and another one later ends the program", "[studies][sweep]") {
+  const pid_t child = in_child([] {
+    const StopSignal stop;
+    std::raise(SIGINT);
+    std::raise(SIGINT);  // as timeout sends it: to the process, and to its group
+    if (!StopSignal::requested()) _exit(3);
+    std::this_thread::sleep_for(milliseconds(400));
+    std::raise(SIGINT);
+    _exit(4);
+  });
+  const int status = wait_for(child);
+  REQUIRE(WIFSIGNALED(status));
+  CHECK(WTERMSIG(status) == SIGINT);
+}
+
 TEST_CASE("a stop signal ends a sweep after the points in work, and the next run does the rest", "[studies][sweep]") {
   const TemporaryDirectory folder;
   for (const int signal : {SIGINT, SIGTERM}) {
