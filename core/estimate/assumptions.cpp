@@ -66,8 +66,10 @@ class Assumptions {
 
   void strains() {
     const double strain = strain_number(model_, solution_);
-    const std::string rests_on =
-        std::isfinite(strain) ? message_text<2>("d/H = ", strain) : message_text<2>("a/R = ", half_ / model_.radius);
+    const std::string rests_on = model_.loaded           ? message_text<2>("deflection over half the load's length = ",
+                                                                 solution_.peak_deflection / model_.loaded->half_length)
+                                 : std::isfinite(strain) ? message_text<2>("d/H = ", strain)
+                                                         : message_text<2>("a/R = ", half_ / model_.radius);
     const std::optional<LinearityError> error = linearity_error(model_, solution_);
     if (error)
       all_.push_back({small_strains, rests_on, error->value, error->scatter});
@@ -91,7 +93,9 @@ class Assumptions {
     ContactModel yielding = model_;
     const ModelLayer steel = steel_half_space();
     if (has_rigid_base(yielding)) yielding.foundation.push_back(steel);
-    if (yielding.coating.empty()) {
+    if (model_.loaded) {
+      if (!has_rigid_base(model_)) return;  // nothing is rigid
+    } else if (yielding.coating.empty()) {
       yielding.coating.push_back(steel);
     } else {  // the core of rings is rigid: the foundation's half-space yields for it
       ModelLayer& base = yielding.foundation.back();

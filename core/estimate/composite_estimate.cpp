@@ -182,6 +182,10 @@ HertzResponse hertz_response(const ContactModel& model, double half_width) {
 
 ResistanceChange::ResistanceChange(const ContactModel& model, double half_width)
     : half_width_(half_width), load_given_(model.load.has_value()), own_(at(model, half_width)) {
+  if (model.loaded) {  // whose size does not change
+    power_ = 0;
+    return;
+  }
   constexpr double step = 0.02;
   const Logarithms wider = at(model, half_width * (1 + step));
   power_ = (wider.resistance - own_.resistance) / (wider.given - own_.given);
@@ -199,6 +203,7 @@ ResistanceChange::Logarithms ResistanceChange::at(const ContactModel& model, dou
   const HertzPressure pressure(model);
   const HertzResponse response = pressure.response(half_width, true);
   const ContactEstimate contact = pressure.contact(half_width, response);
+  if (model.loaded) return {0, std::log(response.loss)};
   return {std::log(load_given_ ? contact.load : contact.approach),
           2 * std::log(contact.load) + std::log(response.loss)};
 }
@@ -228,9 +233,9 @@ double spectrum_error(const ContactModel& model, double half_width) {
         Eigen::Map<const Eigen::ArrayXd>(fit->open.times.data(), static_cast<Eigen::Index>(fit->open.times.size()));
     const Eigen::ArrayXd times = open.isInf().select(open, time_shift(layer) * flow * open);
     const HertzPressure::Changes change = pressure.changes(half_width, creep, stiffen, times);
-    // Under a load P = -2 a/(n' R A') is kept, under an approach nearly a.
+    // Under a load P = -2 a/(n' R A') is kept, under an approach nearly a, and of a given pressure a itself.
     const Eigen::VectorXd slope = change.slope / at.slope, loss = change.loss / at.loss;
-    const double through_slope = model.load ? loss_power / (1 - slope_power) : -2;
+    const double through_slope = model.loaded ? 0 : model.load ? loss_power / (1 - slope_power) : -2;
     variance += std::pow(fit->open.deviation(loss + through_slope * slope), 2);
   };
   const bool composite = model.composite();

@@ -67,6 +67,11 @@ ContactEstimate estimate_of_roller(const ContactModel& model) {
 }  // namespace
 
 ContactEstimate estimate_contact(const ContactModel& model) {
+  if (model.loaded) {
+    const double half_length = model.loaded->half_length;
+    return {half_length, *model.load * hertz_response(model, half_length).compliance, *model.load,
+            model.loaded->half_width / half_length};
+  }
   if (model.estimate) return *model.estimate;
   if (model.outline) return estimate_of_roller(model);
   if (model.composite()) return composite_estimate(model);

@@ -59,7 +59,7 @@ LinearityError relative(double logarithm, double scatter) {
 }  // namespace
 
 std::optional<LinearityError> linearity_error(const ContactModel& model, const RollingSolution& linear) {
-  if (!of_a_fitted_kind(model) || linear.method == Method::finite_strain) return {};
+  if (model.loaded || !of_a_fitted_kind(model) || linear.method == Method::finite_strain) return {};
   const ModelLayer* const layer = only_layer(model);
   const double half = 0.5 * (linear.leading_edge - linear.trailing_edge);
   if (!layer || layer->poisson_ratio < least_poisson || !resists_by_its_loss(model, linear, half)) return {};
@@ -94,7 +94,7 @@ std::optional<LinearityError> linearity_error(const ContactModel& model, const R
 double strain_number(const ContactModel& model, const RollingSolution& solution) {
   const ModelLayer* const layer = only_layer(model);
   const double thickness = layer ? layer->layer_thickness : total_thickness(model);
-  return std::isfinite(thickness) ? solution.approach / thickness : NAN;
+  return std::isfinite(thickness) ? (model.loaded ? solution.peak_deflection : solution.approach) / thickness : NAN;
 }
 
 }  // namespace rollres

@@ -48,6 +48,19 @@ std::optional<double> per_metre(std::optional<double> of_body, const RollingScen
   return of_body;
 }
 
+std::optional<LoadedArea> loaded_area(const RollingScene& scene) {
+  if (scene.indenter != Indenter::pressure) return std::nullopt;
+  return LoadedArea{scene.pressure_shape, scene.pressure_distribution, scene.radius,
+                    scene.transverse_radius.value_or(scene.radius), scene.traction_coefficient};
+}
+
+std::vector<std::array<double, 2>> deflection_places_of(const RollingScene& scene) {
+  std::vector<std::array<double, 2>> places;
+  for (std::size_t i = 0; i < std::min(scene.deflection_places_x.size(), scene.deflection_places_y.size()); ++i)
+    places.push_back({scene.deflection_places_x[i], scene.deflection_places_y[i]});
+  return places;
+}
+
 BondedLayer first_layer(const RollingScene& scene) {
   BondedLayer layer;
   static_cast<MaterialInputs&>(layer) = scene;
@@ -68,6 +81,8 @@ ContactModel::ContactModel(const RollingScene& scene)
       dimension(dimension_of(scene.indenter)),
       radius(scene.radius),
       outline(outline_of(scene)),
+      loaded(loaded_area(scene)),
+      deflection_places(deflection_places_of(scene)),
       width(scene.width),
       kinematics(scene.kinematics),
       speed(scene.speed),
@@ -129,7 +144,8 @@ double ContactModel::coating_thickness() const {
 }
 
 void ContactModel::choose_method() {
-  method = asked_method != Method::automatic             ? asked_method
+  method = loaded                                        ? Method::convolution
+           : asked_method != Method::automatic           ? asked_method
            : !spacing && spectral_refusal(*this).empty() ? Method::spectral
                                                          : Method::newton;
 }

@@ -15,6 +15,7 @@
 #include <vector>
 
 #include "core/material/material.hpp"
+#include "core/model/loaded_area.hpp"
 #include "core/model/roller_outline.hpp"
 #include "core/scene/scene.hpp"
 #include "core/scene/solution.hpp"
@@ -45,10 +46,12 @@ struct ContactModel {
   ContactModel(const RollingScene& scene);
 
   Indenter indenter;
-  int dimension;                         // 2: per metre of length, no y; or 3
-  double radius;                         // R [m]
-  std::optional<RollerOutline> outline;  // of a roller
-  std::optional<double> width;           // of a cylinder whose load is told in N [m]; the rest here is per metre
+  int dimension;                                         // 2: per metre of length, no y; or 3
+  double radius;                                         // R [m]
+  std::optional<RollerOutline> outline;                  // of a roller
+  std::optional<LoadedArea> loaded;                      // in place of a body; its radius is half of its length
+  std::vector<std::array<double, 2>> deflection_places;  // (x, y) of that [m]
+  std::optional<double> width;  // of a cylinder whose load is told in N [m]; the rest here is per metre
   Kinematics kinematics;
 
   double speed;                          // V; of a skewed cylinder V cos a, square to its axle [m/s]

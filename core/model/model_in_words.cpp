@@ -27,6 +27,15 @@ std::string pressed(const ContactModel& model) {
   return model.load ? "load " + told(model, *model.load, "N/m", "N") : words("approach ", *model.approach, " m");
 }
 
+std::string given_pressure(const LoadedArea& area) {
+  return words("given pressure, ", name_of(area.distribution), ", on ",
+               area.shape == PressureShape::rectangle ? "a rectangle"
+               : area.half_length == area.half_width  ? "a disc"
+                                                      : "an ellipse",
+               " ", 2 * area.half_length, " m long and ", 2 * area.half_width, " m wide",
+               area.traction == 0 ? std::string() : words(", shear ", area.traction, " of it"));
+}
+
 std::string body_in_words(const ContactModel& model) {
   if (model.profiled()) return words("rigid roller, profile up to ", model.outline->reach(), " m from its middle");
   if (model.outline)
@@ -48,6 +57,7 @@ std::string turned(const ContactModel& model) {
 }
 
 std::string driven(const ContactModel& model) {
+  if (model.loaded) return "no body";
   if (model.friction_coefficient == 0) return "no friction";
   std::string text = words("friction ", model.friction_coefficient);
   if (model.traction_limit) text += words(", at most ", *model.traction_limit, " Pa");
@@ -84,6 +94,7 @@ std::string inertia(const ContactModel& model) {
 std::string method(const ContactModel& model) {
   const std::string name(name_of(model.method));
   if (model.asked_method != Method::automatic) return name + ", as asked for";
+  if (model.loaded) return name + ": the pressure is given";
   if (model.method == Method::spectral) return name + ": continuous edges of contact, no grid";
   if (model.dimension == 3) return name + ": a body of three dimensions is solved on a grid";
   if (model.spacing) return name + ": the scene gives a spacing";
@@ -100,8 +111,9 @@ std::string errors(const ContactModel& model) {
 
 std::vector<ModelStatement> model_in_words(const ContactModel& model) {
   std::vector<ModelStatement> all;
-  all.push_back(
-      {"body", words(body_in_words(model), ", R = ", model.radius, " m, kinematics ", name_of(model.kinematics))});
+  all.push_back({"body", model.loaded ? given_pressure(*model.loaded)
+                                      : words(body_in_words(model), ", R = ", model.radius, " m, kinematics ",
+                                              name_of(model.kinematics))});
   all.push_back(
       {"motion", words("V = ", model.speed, " m/s, ", pressed(model), ", ", driven(model), turned(model),
                        model.period ? words(", periodic train, L = ", *model.period, " m") : ", single passage")});

@@ -19,8 +19,9 @@ std::string refused(const char* key, double value, const std::string& rule) {
 void check_outline(const RollingScene& scene, MotionLines& lines) {
   const bool roller = scene.indenter == Indenter::roller, profile = scene.indenter == Indenter::profile;
   if (roller && !scene.transverse_radius) lines.push_back("transverse_radius is missing: indenter \"roller\" needs it");
-  if (!roller && scene.transverse_radius)
-    lines.push_back(refused("transverse_radius", *scene.transverse_radius, "only with indenter \"roller\""));
+  if (!roller && scene.indenter != Indenter::pressure && scene.transverse_radius)
+    lines.push_back(
+        refused("transverse_radius", *scene.transverse_radius, "only with indenter \"roller\" or \"pressure\""));
   if (!profile && !(scene.profile_places.empty() && scene.profile_heights.empty()))
     lines.push_back("profile_places: only with indenter \"profile\"");
   if (profile)
@@ -76,6 +77,42 @@ void check_turning(const RollingScene& scene, MotionLines& lines) {
   only(!scene.period, "not with a period");
 }
 
+/// What belongs to a body alone, of a pressure in its place; and of bodies what belongs to a pressure.
+void check_pressure(const RollingScene& scene, MotionLines& lines) {
+  constexpr const char* of_body = "not with indenter \"pressure\", which is no body";
+  if (scene.indenter != Indenter::pressure) {
+    constexpr const char* rule = ": only with indenter \"pressure\"";
+    if (scene.traction_coefficient != 0)
+      lines.push_back(message_text("traction_coefficient = ", scene.traction_coefficient, rule));
+    if (!scene.deflection_places_x.empty()) lines.push_back(std::string("deflection_places_x") + rule);
+    if (!scene.deflection_places_y.empty()) lines.push_back(std::string("deflection_places_y") + rule);
+    return;
+  }
+  const auto refuse = [&](bool given, const std::string& entry, const char* rule) {
+    if (given) lines.push_back(entry + ": " + rule);
+  };
+  if (scene.approach) lines.push_back(refused("approach", *scene.approach, of_body));
+  refuse(scene.friction_coefficient != 0, message_text("friction_coefficient = ", scene.friction_coefficient),
+         "not with indenter \"pressure\", whose shear is traction_coefficient times it");
+  refuse(scene.traction_limit.has_value(), "traction_limit", of_body);
+  refuse(scene.drive != Drive::top_force && scene.drive != Drive::free, message_text("drive = ", name_of(scene.drive)),
+         of_body);
+  refuse(!scene.coating_layers.empty(), "coating_layers", of_body);
+  refuse(scene.adhesion_threshold != 0, message_text("adhesion_threshold = ", scene.adhesion_threshold), of_body);
+  refuse(scene.kinematics != Kinematics::consistent, message_text("kinematics = ", name_of(scene.kinematics)), of_body);
+  refuse(scene.method != Method::automatic && scene.method != Method::convolution,
+         message_text("method = ", name_of(scene.method)), "only \"convolution\" with indenter \"pressure\"");
+  refuse(scene.heat == Heat::on, "heat = on", "not with indenter \"pressure\"");
+  refuse(scene.period.has_value(), "period", "not with indenter \"pressure\"");
+  if (scene.spacing && *scene.spacing > 0.25 * scene.radius)
+    lines.push_back(refused("spacing", *scene.spacing, "must be at most an eighth of the length of a given pressure"));
+  if (const std::string key = turning_input(scene); !key.empty()) lines.push_back(key + ": " + of_body);
+  const std::size_t along = scene.deflection_places_x.size(), across = scene.deflection_places_y.size();
+  if (along != across)
+    lines.push_back(message_text("deflection_places_y: must have as many numbers as deflection_places_x, ", along,
+                                 "; has ", across));
+}
+
 /// Of a profile whose numbers are in order: of its lowest point, and of what a camber hides.
 std::string fault_of_heights(const RollingScene& scene) {
   const std::vector<double>&places = scene.profile_places, &heights = scene.profile_heights;
@@ -120,7 +157,8 @@ std::optional<RollerOutline> outline_of(const RollingScene& scene) {
 std::vector<std::string> broken_motion_rules(const RollingScene& scene) {
   MotionLines lines;
   check_outline(scene, lines);
-  check_turning(scene, lines);
+  check_pressure(scene, lines);
+  if (scene.indenter != Indenter::pressure) check_turning(scene, lines);
   return lines;
 }
 

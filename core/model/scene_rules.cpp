@@ -74,6 +74,18 @@ bool on_half_space(const RollingScene& scene) {
                      [](const BondedLayer& layer) { return std::isinf(layer.layer_thickness); });
 }
 
+/// Of what a given pressure alone has, or has not.
+std::string why_absent_under_pressure(Indenter indenter, std::string_view output) {
+  constexpr std::array<std::string_view, 5> deflections{"deflection", "peak_deflection", "peak_deflection_x",
+                                                        "deflections", "deflection_error"};
+  constexpr std::array<std::string_view, 10> of_body{
+      "approach",        "driving_force",   "driving_torque", "rotation_speed",  "rotation_ratio",
+      "frictional_loss", "energy_residual", "law_violation",  "friction_needed", "friction_borne"};
+  if (indenter != Indenter::pressure)
+    return find_name(deflections, output) >= 0 ? "indenter \"pressure\" has it" : std::string();
+  return find_name(of_body, output) >= 0 ? "a given pressure has none" : std::string();
+}
+
 std::string why_absent(bool sphere, bool half_space, std::string_view output) {
   if (sphere) return {};
   if (output == "approach" && half_space)
@@ -194,6 +206,7 @@ void check_traction_limit(const RollingScene& scene, BrokenRules& broken) {
 }
 
 void check_against_radius(const RollingScene& scene, BrokenRules& broken) {
+  if (scene.indenter == Indenter::pressure) return;
   if (scene.spacing && *scene.spacing > 0.2 * scene.radius)
     broken.add("spacing", *scene.spacing, "must be at most a fifth of the radius");
   if (scene.approach && *scene.approach >= scene.radius)
@@ -256,6 +269,8 @@ void check_inertia(const ContactModel& model, BrokenRules& broken) {
 void check_model(const RollingScene& scene, bool in_range, BrokenRules& broken) {
   if (const std::string why = why_absent(scene, "approach"); scene.approach && !why.empty())
     broken.add("approach", *scene.approach, why + ", or a load");
+  if (scene.method == Method::convolution && scene.indenter != Indenter::pressure)
+    broken.lines.push_back("method = convolution: only with indenter \"pressure\"");
   const bool spectral = scene.method == Method::spectral, finite = scene.method == Method::finite_strain;
   const bool asked = in_range && (spectral || finite || scene.inertia == Inertia::on);
   const std::optional<ContactModel> model = asked ? std::optional<ContactModel>(scene) : std::nullopt;
@@ -272,6 +287,7 @@ void check_model(const RollingScene& scene, bool in_range, BrokenRules& broken) 
 
 std::string why_no_interior(const RollingScene& scene) {
   if (scene.period) return "not with a period";
+  if (scene.indenter == Indenter::pressure) return "not of a given pressure";
   if (dimension_of(scene.indenter) == 2 && !is_straight(scene)) return "not of a skewed cylinder";
   if (dimension_of(scene.indenter) == 3 &&
       !has_mirror(scene.friction_coefficient > 0, is_straight(scene), outline_of(scene)))
@@ -305,6 +321,7 @@ std::string spectral_refusal(const ContactModel& model) {
 
 Method resolved_method(const RollingScene& scene) {
   if (scene.method != Method::automatic) return scene.method;
+  if (scene.indenter == Indenter::pressure) return Method::convolution;
   const bool gridded = dimension_of(scene.indenter) == 3 || scene.spacing || scene.period;
   return gridded ? Method::newton : ContactModel(scene).method;
 }
@@ -374,10 +391,13 @@ std::string why_absent(const RollingScene& scene, std::string_view output) {
   if (scene.interior == Interior::off && !(amplitude && softening) &&
       std::find(of_inside.begin(), of_inside.end(), output) != of_inside.end())
     return "interior = on computes it";
+  if (std::string why = why_absent_under_pressure(scene.indenter, output); !why.empty()) return why;
+  if (output == "deflections" && scene.deflection_places_x.empty()) return "deflection_places_x is not given";
   return why_absent(dimension_of(scene.indenter) == 3, on_half_space(scene), output);
 }
 
 std::string why_absent(const ContactModel& model, std::string_view output) {
+  if (std::string why = why_absent_under_pressure(model.indenter, output); !why.empty()) return why;
   return why_absent(model.dimension == 3, model.half_space, output);
 }
 

@@ -35,6 +35,8 @@ bool is_idle(const RollingScene& scene, std::string_view key) {
   const bool sphere = dimension_of(scene.indenter) == 3, paper = scene.method == Method::active_set;
   if (key == "crown") return scene.indenter != Indenter::roller;
   if (key.starts_with("profile_")) return scene.indenter != Indenter::profile;
+  if (key.starts_with("pressure_") || key.starts_with("deflection_") || key == "traction_coefficient")
+    return scene.indenter != Indenter::pressure;
   if (find_name(of_heat, key) >= 0) return scene.heat == Heat::off;
   if (key == "series_terms") return !scene.period;
   if (key == "slip_stencil" || key == "slip_threshold") return !paper;

@@ -68,6 +68,7 @@ std::string Range::rule() const {
 
 std::string_view Body::name() const {
   if (indenter == Indenter::profile) return "profiled roller";
+  if (indenter == Indenter::pressure) return "given pressure";
   return of_width ? "cylinder with a width" : name_of(indenter);
 }
 

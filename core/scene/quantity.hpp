@@ -14,14 +14,14 @@
 namespace rollres {
 
 /// Body that rolls: a cylinder (plane strain, solved per metre of its length), a sphere, a crowned roller, or a roller
-/// whose profile along the axle is given.
-enum class Indenter { cylinder, sphere, roller, profile };
+/// whose profile along the axle is given; or a given pressure in place of a body.
+enum class Indenter { cylinder, sphere, roller, profile, pressure };
 
 /// Dimension of its contact problem: 2 (per metre of length, no y) or 3.
 constexpr int dimension_of(Indenter body) { return body == Indenter::cylinder ? 2 : 3; }
 
 /// Of what loads, forces, torques, powers and areas of contact are: of a metre of a cylinder, of a cylinder whose width
-/// is given, or of a sphere or roller. Their units depend on it.
+/// is given, or of a sphere, a roller or a given pressure. Their units depend on it.
 struct Body {
   Indenter indenter = Indenter::cylinder;
   bool of_width = false;  ///< a cylinder whose width is given
@@ -29,7 +29,7 @@ struct Body {
   constexpr Body(Indenter body, bool width_given = false)
       : indenter(body), of_width(body == Indenter::cylinder && width_given) {}
   constexpr bool per_metre() const { return indenter == Indenter::cylinder && !of_width; }
-  /// "cylinder", "cylinder with a width", "sphere", "roller", "profiled roller".
+  /// "cylinder", "cylinder with a width", "sphere", "roller", "profiled roller", "given pressure".
   std::string_view name() const;
   friend constexpr auto operator<=>(const Body&, const Body&) = default;
 };
@@ -76,7 +76,7 @@ struct ChoiceNames;
 
 template <>
 struct ChoiceNames<Indenter> {
-  static constexpr std::array<std::string_view, 4> names{"cylinder", "sphere", "roller", "profile"};
+  static constexpr std::array<std::string_view, 5> names{"cylinder", "sphere", "roller", "profile", "pressure"};
 };
 
 template <class Choice>

@@ -27,22 +27,24 @@ struct ChoiceNames<Drive> {
 };
 
 enum class Method {
-  automatic,     ///< spectral for a cylinder, newton for a sphere, with a spacing or where spectral does not apply
-  newton,        ///< coupled semi-smooth Newton method (newton_contact.hpp)
-  newton_dense,  ///< the same with dense linear algebra: the second route
-  active_set,    ///< the algorithms of Zehil and Gavin (2013), normal and tangential problem in turn
-  spectral,      ///< continuous edges of contact, without a grid (spectral_contact.hpp); cylinder
-  finite_strain  ///< displacements and strains that are not small, on a mesh of the layers (finite_strain_contact.hpp)
+  automatic,      ///< spectral for a cylinder, newton for a sphere, with a spacing or where spectral does not apply
+  newton,         ///< coupled semi-smooth Newton method (newton_contact.hpp)
+  newton_dense,   ///< the same with dense linear algebra: the second route
+  active_set,     ///< the algorithms of Zehil and Gavin (2013), normal and tangential problem in turn
+  spectral,       ///< continuous edges of contact, without a grid (spectral_contact.hpp); cylinder
+  finite_strain,  ///< displacements and strains that are not small, on a mesh of the layers (finite_strain_contact.hpp)
+  convolution     ///< tractions are given, and move the surface (given_pressure.hpp); indenter pressure
 };
 template <>
 struct ChoiceNames<Method> {
-  static constexpr std::array<std::string_view, 6> names{"automatic",  "newton",   "newton_dense",
-                                                         "active_set", "spectral", "finite_strain"};
+  static constexpr std::array<std::string_view, 7> names{"automatic", "newton",        "newton_dense", "active_set",
+                                                         "spectral",  "finite_strain", "convolution"};
 };
 
 /// Whether the method solves on a grid, and takes a spacing.
 inline bool on_grid(Method method) {
-  return method == Method::newton || method == Method::newton_dense || method == Method::active_set;
+  return method == Method::newton || method == Method::newton_dense || method == Method::active_set ||
+         method == Method::convolution;
 }
 
 /// Difference that turns surface displacements into slip along a row of nodes.
@@ -85,6 +87,18 @@ struct ChoiceNames<Crown> {
   static constexpr std::array<std::string_view, 2> names{"circle", "ellipse"};
 };
 
+/// The part of the surface on which a given pressure acts, and how it is spread there (core/model/loaded_area.hpp).
+enum class PressureShape { ellipse, rectangle };
+template <>
+struct ChoiceNames<PressureShape> {
+  static constexpr std::array<std::string_view, 2> names{"ellipse", "rectangle"};
+};
+enum class PressureDistribution { uniform, hertz };
+template <>
+struct ChoiceNames<PressureDistribution> {
+  static constexpr std::array<std::string_view, 2> names{"uniform", "hertz"};
+};
+
 /// Whether the layers' inertia is part of the model.
 enum class Inertia {
   automatic,  ///< where it matters to a given tolerance, of a cylinder or in a periodic train
@@ -122,11 +136,16 @@ struct ChoiceNames<CoreHeat> {
 
 struct RollingScene : MaterialInputs {
   Indenter indenter = Indenter::cylinder;
-  double radius = 0;                        // R [m]
-  std::optional<double> transverse_radius;  // of a roller's crown, across the motion [m]
+  double radius = 0;                        // R; of a given pressure half its length along the motion [m]
+  std::optional<double> transverse_radius;  // of a roller's crown, across the motion; half a pressure's width [m]
   Crown crown = Crown::circle;
   std::vector<double> profile_places;   // of a profiled roller, along its axle to the left, rising [m]
   std::vector<double> profile_heights;  // there, over its lowest point, where its radius is R [m]
+  PressureShape pressure_shape = PressureShape::ellipse;  // of a given pressure, as are the next four
+  PressureDistribution pressure_distribution = PressureDistribution::uniform;
+  double traction_coefficient = 0;          // tau_x on the surface over p [1]
+  std::vector<double> deflection_places_x;  // where the answer tells the deflection, from the load's middle [m],
+  std::vector<double> deflection_places_y;  // and across the motion [m]
   std::optional<double> width;  // of a cylinder whose load, torque, forces and powers are those of the whole body [m]
   double layer_thickness = 0;   // H [m]; infinity for a half-space
   double layer_density = 1000;  // rho [kg/m3]
@@ -180,14 +199,31 @@ template <class Scene, class Visitor>
 void visit_inputs(Scene& scene, Visitor&& visitor) {
   using Q = Quantity;
   visitor(Q{"indenter", "", "", "body that rolls"}, scene.indenter);
-  visitor(Q{"radius", "R", "m", "radius of the body", positive}, scene.radius);
-  visitor(Q{"transverse_radius", "R_t", "m", "radius of a roller's crown, across the motion", positive},
+  visitor(Q{"radius", "R", "m", "radius of the body; half the length of a given pressure along the motion", positive},
+          scene.radius);
+  visitor(Q{"transverse_radius", "R_t", "m",
+            "radius of a roller's crown, across the motion; half the width of a given pressure, absent: its radius",
+            positive},
           scene.transverse_radius);
   visitor(Q{"crown", "", "", "outline of a roller along its axle"}, scene.crown);
   visitor(Q{"profile_places", "y", "m", "places along the axle of a roller with a profile, to the left, rising"},
           scene.profile_places);
-  visitor(Q{"profile_heights", "", "m", "heights of the profile there, counted from the smallest, where the radius is R"},
-          scene.profile_heights);
+  visitor(
+      Q{"profile_heights", "", "m", "heights of the profile there, counted from the smallest, where the radius is R"},
+      scene.profile_heights);
+  visitor(Q{"pressure_shape", "", "", "part of the surface on which a given pressure acts"}, scene.pressure_shape);
+  visitor(Q{"pressure_distribution", "", "", "how a given pressure is spread: evenly, or as under a round body"},
+          scene.pressure_distribution);
+  visitor(Q{"traction_coefficient",
+            "τ/p",
+            "1",
+            "shear traction along the motion over a given pressure; > 0 as of a braked wheel",
+            {.lowest = -10, .highest = 10}},
+          scene.traction_coefficient);
+  visitor(
+      Q{"deflection_places_x", "x", "m", "places where deflections tells how deep a given pressure moves the surface"},
+      scene.deflection_places_x);
+  visitor(Q{"deflection_places_y", "y", "m", "the same across the motion, to the left"}, scene.deflection_places_y);
   visitor(Q{"width", "", "m",
             "length of a cylinder along its axis; loads, forces, torques and powers are then those of the whole body",
             positive},

@@ -90,6 +90,8 @@ struct RollingSolution {
   double contact_area = absent, contact_area_error = absent;
   double mean_pressure = absent, peak_pressure = absent, peak_pressure_error = absent;
   double peak_pressure_x = absent, peak_pressure_y = absent;
+  double deflection = absent, peak_deflection = absent, peak_deflection_x = absent, deflection_error = absent;
+  std::vector<double> deflections;  // at the places that the scene gives [m]
   double peak_shear_x = absent, peak_shear_y = absent;
   int contact_nodes = 0, slip_nodes = 0;
   double viscous_loss = absent, frictional_loss = absent;
@@ -174,6 +176,12 @@ void visit_outputs(Solution& solution, Visitor&& visitor) {
           s.peak_pressure_x);
   visitor(Q{"peak_pressure_y", "", "m", "the same across the motion, to the left; of two mirror images the left one"},
           s.peak_pressure_y);
+  visitor(Q{"deflection", "", "m", "downward displacement of the surface under the middle of a given pressure"},
+          s.deflection);
+  visitor(Q{"peak_deflection", "", "m", "largest downward displacement that it causes"}, s.peak_deflection);
+  visitor(Q{"peak_deflection_x", "", "m", "where that is along the motion"}, s.peak_deflection_x);
+  visitor(Q{"deflections", "", "m", "downward displacements at deflection_places_x and _y"}, s.deflections);
+  visitor(Q{"deflection_error", "", "m", "estimated error of these displacements, the largest"}, s.deflection_error);
   visitor(Q{"peak_shear_x", "max|τ_xz|", "Pa", "largest shear traction along x"}, s.peak_shear_x);
   visitor(Q{"peak_shear_y", "max|τ_yz|", "Pa", "largest shear traction along y (sphere, skewed cylinder)"},
           s.peak_shear_y);

@@ -12,8 +12,10 @@ namespace rollres {
 
 namespace {
 
-/// Load times the longer half of the contact over the radius [N]: what a resistance is small or large against.
+/// Load times the longer half of the contact over the radius, or times the slope that a given pressure makes [N]: what
+/// a resistance is small or large against.
 double lever_of_load(const ContactModel& model, const RollingSolution& solution) {
+  if (model.loaded) return solution.load * std::abs(solution.peak_deflection) / model.loaded->half_length;
   return solution.load * std::max(std::abs(solution.leading_edge), std::abs(solution.trailing_edge)) / model.radius;
 }
 
@@ -45,7 +47,7 @@ RollingSolution without_answer(Method method, Status status, std::string reason)
 }
 
 std::string doubt(const ContactModel& model, const RollingSolution& solution) {
-  if (!(solution.law_violation <= trusted_violation))
+  if (!model.loaded && !(solution.law_violation <= trusted_violation))
     return message_text("a law of contact is violated by ", solution.law_violation, ", more than ", trusted_violation);
   if (!(solution.rolling_resistance_error >= 0)) return "the error of the rolling resistance cannot be estimated";
   const double length =

@@ -8,6 +8,7 @@
 #include "core/estimate/assumptions.hpp"
 #include "core/estimate/composite_estimate.hpp"
 #include "core/finite_strain/finite_strain_contact.hpp"
+#include "core/given_pressure/given_pressure.hpp"
 #include "core/material/master_curve.hpp"
 #include "core/material/material_scale.hpp"
 #include "core/messages/message_text.hpp"
@@ -39,6 +40,7 @@ RollingSolution solve_in_place_of_edges(ContactModel model) {
 
 /// @param zones  of much the same model, where they are known; those of this one afterwards
 RollingSolution solve_by_method(const ContactModel& model, std::optional<FoundZones>& zones) {
+  if (model.loaded) return solve_given_pressure(model);
   if (model.method == Method::active_set) return solve_paper(model);
   if (model.method == Method::finite_strain) return solve_finite_strain(model);
   std::string why_on_grid;
@@ -149,6 +151,9 @@ RollingSolution judged_answer(const ContactModel& model, std::optional<FoundZone
   solution.model = model_of(model, solution) + note;
   for (const std::string& decision : model.decisions) solution.model += "; " + decision;
   add_error(model.left_out + expansion_share(model, solution), solution);
+  if (model.loaded)
+    solution.deflection_error +=
+        (model.left_out + expansion_share(model, solution)) * std::abs(solution.peak_deflection);
   if (std::string why = unknown_resistance(model, solution); !why.empty())
     return without_answer(solution.method, Status::not_converged, std::move(why));
   const bool said_by_material = take_spectrum_error(model, solution);

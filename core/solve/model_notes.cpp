@@ -75,7 +75,7 @@ std::vector<std::string> warnings_for(const ContactModel& model, const RollingSo
                                     " is not small: the layer is taken as linear, and what that costs is not known"));
   }
   const double slope = std::max(std::abs(solution.leading_edge), std::abs(solution.trailing_edge)) / model.radius;
-  if (linear && slope > 0.3)
+  if (linear && slope > 0.3 && !model.loaded)
     warnings.push_back(message_text("slope at the contact's edge, and contact over radius, ", slope,
                                     " is not small: displacements are taken as small"));
   if (const Assumption* const flat = find_assumption(assumed, flat_coating);
@@ -98,7 +98,7 @@ std::vector<std::string> warnings_for(const ContactModel& model, const RollingSo
   const double across = 2 * half_length(solution) / solution.spacing;
   if (across < 10)
     warnings.push_back(message_text("only ", across, " nodes along the contact: take a smaller spacing"));
-  if (on_grid(solution.method) && solution.fields.grid.columns > 0) warn_of_peaks(solution, warnings);
+  if (on_grid(solution.method) && !model.loaded && solution.fields.grid.columns > 0) warn_of_peaks(solution, warnings);
   if (linear && model.kinematics == Kinematics::printed) {
     const double power = solution.rolling_resistance * model.speed;
     const double left = std::abs(power - solution.viscous_loss - solution.frictional_loss) / std::abs(power);
@@ -144,7 +144,10 @@ std::string model_of(const ContactModel& model, const RollingSolution& solution)
     text += message_text("; plane strain: the cylinder is long beside ",
                          1e3 * std::max(2 * half_length(solution), finite_thickness(model)), " mm");
   if (const std::string why = why_absent(model, "approach"); !why.empty()) text += "; no approach: " + why;
-  if (model.friction_coefficient == 0) text += "; no friction (μ = 0): rotation and shear left out";
+  if (model.loaded)
+    text += "; the pressure is given: no contact is looked for, and what a body on it loses is no part of R_r";
+  else if (model.friction_coefficient == 0)
+    text += "; no friction (μ = 0): rotation and shear left out";
   const CreepSpectrum& creep = model.top().creep;
   const bool elastic =
       std::all_of(creep.terms.begin(), creep.terms.end(), [](const auto& term) { return term.compliance == 0; });
@@ -156,7 +159,7 @@ std::string model_of(const ContactModel& model, const RollingSolution& solution)
                       : message_text<6>("; the coating flows at ", flow, " V", flow < 0 ? ", backwards" : "");
   if (const std::string coating = coating_in_words(model); !coating.empty()) text += "; " + coating;
   if (spectral) text += "; continuous edges of contact, no grid";
-  if (gridded && !model.spacing && sphere && solution.method != Method::active_set)
+  if (gridded && !model.spacing && sphere && !model.loaded && solution.method != Method::active_set)
     text += "; grid tied to the contact";
   text += model.period ? message_text("; periodic train, L = ", *model.period, " m") : "; single passage, no period";
   if (!model.tolerance) return text;
