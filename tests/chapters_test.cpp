@@ -17,7 +17,7 @@ namespace {
 
 /// The chapters from the ground up: each includes itself and those before it. core/reference stands as low as it does
 /// so that it includes no solver: it is the witness of all of them.
-constexpr std::array<std::string_view, 51> chapters{"core/scene",
+constexpr std::array<std::string_view, 52> chapters{"core/scene",
                                                     "core/messages",
                                                     "core/numerics",
                                                     "core/reference",
@@ -35,6 +35,7 @@ constexpr std::array<std::string_view, 51> chapters{"core/scene",
                                                     "core/spectral",
                                                     "core/zones",
                                                     "core/finite_strain",
+                                                    "core/given_pressure",
                                                     "core/solve",
                                                     "core/derivatives",
                                                     "db/file",

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "core/convolution/influence_operator.hpp"
+#include "core/given_pressure/loss_by_waves.hpp"
 #include "core/influence/influence.hpp"
 #include "core/messages/message_text.hpp"
 #include "core/model/stated_error.hpp"
@@ -17,36 +18,45 @@ namespace rollres {
 
 namespace {
 
-constexpr int usual_cells = 63, most_cells = 511;  // along the load, of the finest grid
-constexpr double most_nodes = 2e6;                 // of a grid
-constexpr double flattest_cell = 4;                // its longer side over its shorter one
-constexpr double negligible = 1e-6;                // of the load times its slope: what an elastic layer resists with
-constexpr double margin = 0.5;                     // of the grid round the load, over its half-lengths
+constexpr int usual_cells = 63;       // along the load, of the finest grid
+constexpr double usual_error = 1e-6;  // of R_r
+constexpr double most_nodes = 2e6;    // of a grid
+constexpr double flattest_cell = 4;   // its longer side over its shorter one
+constexpr double margin = 0.5;        // of the grid round the load, over its half-lengths
+constexpr int beyond = 6;             // nodes that interpolations ask for round a place
+
+using Places = std::vector<std::array<double, 2>>;  // (x, y) [m]
 
 int odd(double count) { return 2 * static_cast<int>(std::lround(0.5 * (count - 1))) + 1; }
 
-/// A grid whose cells fill the rectangle round the load, and which reaches as far as a margin and the given places.
-SurfaceGrid grid_over(const ContactModel& model, int cells, bool to_places) {
+/// How many times longer along the motion than across it, as far as cells are not: the shorter side of a slender load
+/// has the number of cells that is asked for, and the longer one more.
+double slenderness(double longer, double shorter) { return std::max(1.0, longer / (flattest_cell * shorter)); }
+
+/// A grid whose cells fill the rectangle round the load, and which reaches as far as a margin and the places asked for.
+/// @param cells  on the load's shorter side
+SurfaceGrid grid_over(const ContactModel& model, double cells) {
   const LoadedArea& area = *model.loaded;
+  const auto fill = [&](double side, double other) {
+    return 2 * side / odd(checked_count(cells * slenderness(side, other), "cells on the longer side of a pressure"));
+  };
   SurfaceGrid grid;
   grid.folded = true;
-  grid.spacing_x = 2 * area.half_length / cells;
-  const double across = cells * area.half_width / area.half_length;  // of square cells
-  const int rows = odd(checked_count(std::clamp<double>(cells, across / flattest_cell, across * flattest_cell),
-                                     "cells across a given pressure"));
-  grid.spacing_y = 2 * area.half_width / std::max(rows, 1);
+  grid.spacing_x = fill(area.half_length, area.half_width);
+  grid.spacing_y = fill(area.half_width, area.half_length);
   double behind = -(1 + margin) * area.half_length, ahead = -behind, aside = (1 + margin) * area.half_width;
-  if (to_places)
-    for (const std::array<double, 2>& place : model.deflection_places) {
-      behind = std::min(behind, place[0]);
-      ahead = std::max(ahead, place[0]);
-      aside = std::max(aside, std::abs(place[1]));
-    }
-  constexpr int beyond = 3;  // nodes that an interpolation asks for
+  for (const std::array<double, 2>& place : model.deflection_places) {
+    behind = std::min(behind, place[0]);
+    ahead = std::max(ahead, place[0]);
+    aside = std::max(aside, std::abs(place[1]));
+  }
   const char* const what = "nodes of a grid that reaches all deflection_places";
   grid.first_column = -checked_count(-behind / grid.spacing_x, what) - beyond;
   grid.columns = checked_count(ahead / grid.spacing_x, what) + beyond - grid.first_column + 1;
   grid.rows = checked_count(aside / grid.spacing_y, what) + beyond + 1;
+  if (const double nodes = static_cast<double>(grid.columns) * grid.rows; nodes > most_nodes)
+    throw BeyondLimits(message_text("a grid over the load and all deflection_places has ", nodes, " nodes, more than ",
+                                    most_nodes, ": leave out the farthest places, or take a less slender load"));
   return grid;
 }
 
@@ -69,8 +79,8 @@ struct Interpolation {
 /// The load on one grid, and the displacements that follow.
 class PressedGrid {
  public:
-  PressedGrid(const ContactModel& model, int cells, bool to_places)
-      : model_(model), grid_(grid_over(model, cells, to_places)), pressure_(grid_.size()) {
+  PressedGrid(const ContactModel& model, double cells)
+      : model_(model), grid_(grid_over(model, cells)), pressure_(grid_.size()) {
     const double load = *model.load;
     for (int row = 0; row < grid_.rows; ++row)
       for (int column = 0; column < grid_.columns; ++column) {
@@ -86,12 +96,25 @@ class PressedGrid {
 
   const SurfaceGrid& grid() const { return grid_; }
 
-  /// R_r, the deflections under the middle and where it is largest, and those at the given places.
-  std::vector<double> numbers() const {
-    std::vector<double> all{resistance(), -value(moved_.w, -grid_.first_column, 0), deepest().deflection};
-    if (reaches_places())
-      for (const std::array<double, 2>& place : model_.deflection_places) all.push_back(deflection(place));
-    return all;
+  double deflection(const std::array<double, 2>& place) const { return interpolated(place, 1); }
+  /// Of the interpolation, told by one through every second node: near the load's edge the surface is not smooth.
+  double open_between_nodes(const std::array<double, 2>& place) const {
+    constexpr double of_change = 2.5;  // where the surface goes as the distance from the edge to the power 3/2
+    return of_change * std::abs(interpolated(place, 2) - interpolated(place, 1));
+  }
+
+  double resistance() const {
+    double sum = 0;
+    for (int row = 0; row < grid_.rows; ++row)
+      for (int column = 1; column < grid_.columns; ++column) {
+        const double pressure = pressure_(grid_.index(column, row));
+        if (pressure == 0) continue;
+        const auto change = [&](const Vector& moved) {
+          return value(moved, column + 1, row) - value(moved, column - 1, row);
+        };
+        sum += grid_.images(row) * pressure * (change(moved_.w) - model_.loaded->traction * change(moved_.u));
+      }
+    return 0.5 * sum * grid_.spacing_y;
   }
 
   struct Deepest {
@@ -137,34 +160,15 @@ class PressedGrid {
  private:
   double value(const Vector& moved, int column, int row) const { return moved(row * (grid_.columns + 1) + column); }
 
-  double resistance() const {
-    double sum = 0;
-    for (int row = 0; row < grid_.rows; ++row)
-      for (int column = 1; column < grid_.columns; ++column) {
-        const double pressure = pressure_(grid_.index(column, row));
-        if (pressure == 0) continue;
-        const auto change = [&](const Vector& moved) {
-          return value(moved, column + 1, row) - value(moved, column - 1, row);
-        };
-        sum += grid_.images(row) * pressure * (change(moved_.w) - model_.loaded->traction * change(moved_.u));
-      }
-    return 0.5 * sum * grid_.spacing_y;
-  }
-
-  bool reaches_places() const {
-    return std::all_of(model_.deflection_places.begin(), model_.deflection_places.end(), [&](const auto& place) {
-      return place[0] > grid_.x(1) && place[0] < grid_.x(grid_.columns - 2) &&
-             std::abs(place[1]) < grid_.y(grid_.rows - 2);
-    });
-  }
-
-  double deflection(const std::array<double, 2>& place) const {
-    const Interpolation along(place[0] / grid_.spacing_x), across(std::abs(place[1]) / grid_.spacing_y);
+  /// The deflection by the cubic through nodes so many spacings apart.
+  double interpolated(const std::array<double, 2>& place, int apart) const {
+    const Interpolation along(place[0] / (apart * grid_.spacing_x)),
+        across(std::abs(place[1]) / (apart * grid_.spacing_y));
     double sum = 0;
     for (int i = 0; i < 4; ++i)
       for (int j = 0; j < 4; ++j)
         sum += along.weights[static_cast<std::size_t>(i)] * across.weights[static_cast<std::size_t>(j)] *
-               value(moved_.w, along.first + i - grid_.first_column, std::abs(across.first + j));
+               value(moved_.w, apart * (along.first + i) - grid_.first_column, apart * std::abs(across.first + j));
     return -sum;
   }
 
@@ -174,79 +178,63 @@ class PressedGrid {
   Displacements moved_;
 };
 
-/// A number on grids that are refined: what it tends to, and its error.
+/// A number of second order in the cells, on two grids: what it tends to, and its error.
 class Extrapolated {
  public:
-  /// @param finer  how many times the cells are smaller than before
+  /// @param finer  how many times the cells of the finer grid are smaller
   void add(double value, double finer) {
-    if (count_++ == 0) {
-      tends_to_ = last_ = value;
-      error_ = INFINITY;
-      return;
-    }
-    const double change = (value - last_) / (finer * finer - 1), before = tends_to_;
-    tends_to_ = value + change;
-    // Of one extrapolation, the part that is not of second order; of more, what they differ by.
-    error_ =
-        count_ == 2 ? unclear * std::abs(change) : std::max(std::abs(tends_to_ - before), least * std::abs(change));
+    to_come_ = (value - last_) / (finer * finer - 1);
     last_ = value;
   }
-
-  double value() const { return tends_to_; }
-  double error() const { return error_; }
+  double value() const { return last_ + to_come_; }
+  /// The part of what was to come that may not be of second order.
+  double error() const { return 0.5 * std::abs(to_come_); }
 
  private:
-  static constexpr double unclear = 0.5, least = 0.05;
-  int count_ = 0;
-  double last_ = 0, tends_to_ = 0, error_ = 0;
+  double last_ = 0, to_come_ = 0;
 };
 
-/// Cells along the load of the coarsest and the finest grid.
-struct GridRange {
-  int first, last;
-};
-GridRange cells_of(const ContactModel& model) {
-  if (!model.spacing) return {usual_cells / 2, model.tolerance ? most_cells : usual_cells};
-  const int cells = odd(checked_count(2 * model.loaded->half_length / *model.spacing, "cells along a given pressure"));
-  return {odd(0.5 * cells), cells};
+/// Cells on the load's shorter side, of the finer grid.
+double cells_of(const ContactModel& model) {
+  const LoadedArea& area = *model.loaded;
+  if (!model.spacing) return usual_cells;
+  return 2 * area.half_length / *model.spacing / slenderness(area.half_length, area.half_width);
 }
 
 }  // namespace
 
 RollingSolution solve_given_pressure(const ContactModel& model) {
   const LoadedArea& area = *model.loaded;
-  const auto [first, last] = cells_of(model);
-  std::vector<Extrapolated> numbers(3 + model.deflection_places.size());
+  const double cells = cells_of(model);
+  const Places& places = model.deflection_places;
+  Extrapolated resistance, middle, peak;
+  std::vector<Extrapolated> at_places(places.size());
+  double open_between_nodes = 0;
   std::optional<PressedGrid> grid;
-  bool to_places = true;
-  int before = 0;
-  for (int cells = first; cells <= last; cells = std::min(2 * cells + 1, std::max(last, cells + 1))) {
-    const auto nodes = [&](bool reaching) { return static_cast<double>(grid_over(model, cells, reaching).size()); };
-    if (before > usual_cells / 2 && nodes(true) > most_nodes / 8) to_places = false;
-    if (nodes(to_places) > most_nodes) {
-      if (before > 0) break;
-      throw BeyondLimits(message_text("a grid that reaches all deflection_places has ", nodes(true),
-                                      " nodes, more than ", most_nodes, ": leave out the farthest"));
+  for (const double coarser : {2, 1}) {
+    const double before = grid ? grid->grid().spacing_x : INFINITY;
+    grid.emplace(model, cells / coarser);
+    const double finer = before / grid->grid().spacing_x;
+    resistance.add(grid->resistance(), finer);
+    middle.add(grid->deflection({0, 0}), finer);
+    peak.add(grid->deepest().deflection, finer);
+    open_between_nodes = 0;
+    for (std::size_t i = 0; i < places.size(); ++i) {
+      at_places[i].add(grid->deflection(places[i]), finer);
+      open_between_nodes = std::max(open_between_nodes, grid->open_between_nodes(places[i]));
     }
-    grid.emplace(model, cells, to_places);
-    const std::vector<double> found = grid->numbers();
-    for (std::size_t i = 0; i < found.size(); ++i)
-      numbers[i].add(found[i], before > 0 ? static_cast<double>(cells) / before : 1);
-    const bool judged = before > 0;
-    before = cells;
-    const double scale =
-        std::max(std::abs(numbers[0].value()), negligible * *model.load * numbers[2].value() / area.half_length);
-    if (judged && model.tolerance && numbers[0].error() <= *model.tolerance * scale) break;
   }
+  const LossByWaves loss = loss_by_waves(model, std::min(model.tolerance.value_or(usual_error), usual_error));
 
   RollingSolution solution;
   solution.method = Method::convolution;
   solution.status = Status::converged;
   solution.load = *model.load;
-  solution.rolling_resistance = numbers[0].value();
+  solution.rolling_resistance = loss.resistance;
   solution.rolling_resistance_coefficient = solution.rolling_resistance / solution.load;
-  set_error(numbers[0].error(), solution);
+  set_error(loss.error, solution);
   solution.viscous_loss = solution.rolling_resistance * model.speed;
+  solution.energy_residual = std::abs(resistance.value() / solution.rolling_resistance - 1);
   solution.leading_edge = area.half_length;
   solution.trailing_edge = -area.half_length;
   solution.half_width = area.half_width;
@@ -255,13 +243,14 @@ RollingSolution solve_given_pressure(const ContactModel& model) {
   solution.peak_pressure = area.peak_factor() * solution.mean_pressure;
   solution.edge_error = solution.contact_area_error = solution.peak_pressure_error = 0;
   solution.peak_shear_x = std::abs(area.traction) * solution.peak_pressure;
-  solution.deflection = numbers[1].value();
-  solution.peak_deflection = numbers[2].value();
+  solution.deflection = middle.value();
+  solution.peak_deflection = peak.value();
   solution.peak_deflection_x = grid->deepest().x;
-  solution.deflection_error = 0;
-  for (std::size_t i = 1; i < numbers.size(); ++i) {
-    if (i > 2) solution.deflections.push_back(numbers[i].value());
-    solution.deflection_error = std::max(solution.deflection_error, numbers[i].error());
+  solution.deflection_error = std::max(middle.error(), peak.error());
+  for (const Extrapolated& at_place : at_places) {
+    solution.deflections.push_back(at_place.value());
+    // Between nodes all of what was to come is open, as it may be of another order there.
+    solution.deflection_error = std::max(solution.deflection_error, 2 * at_place.error() + open_between_nodes);
   }
   solution.spacing = grid->grid().spacing_x;
   grid->keep_fields(solution);

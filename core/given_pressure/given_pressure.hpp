@@ -6,10 +6,11 @@
 /// displacements follow by convolution with the influence coefficients (core/influence). In the load's frame
 ///   R_r = integral of p dw/dx - tau du/dx,   w upwards,
 /// is the power that the layers take, over V: the resistance that the layers' loss alone puts up. What slips or rolls
-/// between a tyre and its road is no part of it.
+/// between a tyre and its road is no part of it. It is answered wave by wave (loss_by_waves.hpp); what the sum over the
+/// cells misses of that is the energy_residual.
 ///
-/// All that is answered is of second order in the cell, as cells see no place of the load within them: on two grids, of
-/// n and about 2 n cells along the load, it is extrapolated, and what that changes tells the error.
+/// Deflections are of second order in the cell, as cells see no place of the load within them: on two grids, of n and
+/// about 2 n cells along the load, they are extrapolated, and what that changes tells their error.
 
 #include "core/model/contact_model.hpp"
 #include "core/scene/solution.hpp"

@@ -150,10 +150,13 @@ RollingSolution judged_answer(const ContactModel& model, std::optional<FoundZone
   const std::string note = std::move(solution.model);
   solution.model = model_of(model, solution) + note;
   for (const std::string& decision : model.decisions) solution.model += "; " + decision;
-  add_error(model.left_out + expansion_share(model, solution), solution);
-  if (model.loaded)
-    solution.deflection_error +=
-        (model.left_out + expansion_share(model, solution)) * std::abs(solution.peak_deflection);
+  const double expanded = expansion_share(model, solution);
+  if (model.loaded) {
+    solution.deflection_error += (model.left_out + expanded) * std::abs(solution.peak_deflection);
+    add_error(model.left_out, solution);  // R_r of a given pressure rests on no expansion
+  } else {
+    add_error(model.left_out + expanded, solution);
+  }
   if (std::string why = unknown_resistance(model, solution); !why.empty())
     return without_answer(solution.method, Status::not_converged, std::move(why));
   const bool said_by_material = take_spectrum_error(model, solution);

@@ -143,7 +143,8 @@ std::string model_of(const ContactModel& model, const RollingSolution& solution)
   if (!sphere)
     text += message_text("; plane strain: the cylinder is long beside ",
                          1e3 * std::max(2 * half_length(solution), finite_thickness(model)), " mm");
-  if (const std::string why = why_absent(model, "approach"); !why.empty()) text += "; no approach: " + why;
+  if (const std::string why = why_absent(model, "approach"); !why.empty() && !model.loaded)
+    text += "; no approach: " + why;
   if (model.loaded)
     text += "; the pressure is given: no contact is looked for, and what a body on it loses is no part of R_r";
   else if (model.friction_coefficient == 0)

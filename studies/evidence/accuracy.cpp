@@ -134,6 +134,8 @@ std::vector<Method> methods_named(const std::vector<std::string>& names) {
                                   "\": " + unknown("unknown method", ChoiceNames<Method>::names, name));
     if (static_cast<Method>(found) == Method::finite_strain)
       throw std::invalid_argument("--methods = \"" + name + "\": the methods compared here solve the linear model");
+    if (static_cast<Method>(found) == Method::convolution)
+      throw std::invalid_argument("--methods = \"" + name + "\": the methods compared here look for a contact");
     if (std::find(methods.begin(), methods.end(), static_cast<Method>(found)) == methods.end())
       methods.push_back(static_cast<Method>(found));
   }
@@ -182,7 +184,8 @@ AccuracyReport measure_accuracy(const std::string& name, const RollingScene& sce
   if (methods.empty())
     for (std::size_t i = 0; i < ChoiceNames<Method>::names.size(); ++i)
       if (const Method method = static_cast<Method>(i);
-          on_grid(method) || (method == Method::spectral && spectral_refusal(ContactModel(scene)).empty()))
+          (on_grid(method) && method != Method::convolution) ||
+          (method == Method::spectral && spectral_refusal(ContactModel(scene)).empty()))
         methods.push_back(method);
   std::vector<double> spacings = options.spacings;
   if (spacings.empty()) {

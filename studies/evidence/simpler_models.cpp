@@ -101,7 +101,9 @@ class ModelsBeside {
           [&](RollingScene& s) { s = other; });
   }
 
+  /// Of bodies, whose contact they know.
   void closed_forms() {
+    if (scene_.indenter == Indenter::pressure) return;
     const CreepSpectrum creep = ContactModel(scene_).top().creep;
     double weighted = 0;  // tau' = sum J_m tau_m / J0
     for (const CreepSpectrum::Term& term : creep.terms) weighted += term.compliance * term.time;

@@ -9,12 +9,12 @@ const layers_of = (scene) => [scene, ...(scene.lower_layers || [])];
 function view_of(scene, answer) {
   const radius = number(scene.radius), coatings = scene.coating_layers || [];
   const thickness = layers_of(scene).map((layer) => number(layer.layer_thickness));
-  const finite = thickness.filter(Number.isFinite).reduce((a, b) => a + b, 0);
+  const pressed = scene.indenter === 'pressure', finite = thickness.filter(Number.isFinite).reduce((a, b) => a + b, 0);
   const coating = coatings.map((layer) => number(layer.layer_thickness)).reduce((a, b) => a + b, 0);
   const thinnest = Math.min(finite > 0 ? finite : Infinity, coating > 0 ? coating : Infinity), widest = 1.62;
   const contact = answer.leading_edge === null ? 0 : answer.leading_edge - answer.trailing_edge;
-  const half = thinnest < radius / 12 ? Math.min(Math.max(12 * widest * thinnest, 4 * contact, 0.02 * radius), widest * radius) : widest * radius;
-  return { radius, half, contact, thickness, whole: half > 1.1 * radius, top: half > 1.1 * radius ? 2.75 * radius : 1.15 * half };
+  const half = pressed ? 2.5 * radius : thinnest < radius / 12 ? Math.min(Math.max(12 * widest * thinnest, 4 * contact, 0.02 * radius), widest * radius) : widest * radius;
+  return { radius, half, contact, thickness, pressed, top: half > 1.1 * radius && !pressed ? 2.75 * radius : 1.15 * half };
 }
 
 export function sketch(place, reply) {
@@ -25,7 +25,7 @@ export function sketch(place, reply) {
   const deepest = depths[depths.length - 1], cut = !Number.isFinite(view.thickness.at(-1)) || deepest === 1.05 * half, bottom = deepest + (cut ? 0 : 0.1 * half);
   const height = (view.top + bottom) * scale, x = (at) => (at + half) * scale, z = (at) => (view.top - at) * scale;
   const answered = answer.status === 'converged' && answer.leading_edge !== null;
-  const approach = answered ? (answer.approach ?? view.contact ** 2 / (8 * radius)) : 0, centre = radius - approach;
+  const approach = answered && !view.pressed ? (answer.approach ?? view.contact ** 2 / (8 * radius)) : 0, centre = radius - approach;
   const svg = element('svg', { viewBox: '0 0 ' + width + ' ' + height.toFixed(1), role: 'img', xmlns: 'http://www.w3.org/2000/svg' });
   const path = (points) => points.map(([a, b], n) => (n ? 'L' : 'M') + x(a).toFixed(2) + ' ' + z(b).toFixed(2)).join('') + 'Z';
   // The layers' surface where it is computed; from there it falls to zero.
@@ -51,7 +51,7 @@ export function sketch(place, reply) {
     body.push(element('path', { class: 'coating-' + n % 3, d: path(circle(r)) }));
     r -= number(layer.layer_thickness);
   });
-  if (r > 0) body.push(element('path', { class: 'body', d: path(circle(r)) }));
+  if (r > 0 && !view.pressed) body.push(element('path', { class: 'body', d: path(circle(r)) }));
   svg.append(...(reply.coating_yields ? [...body, ...shapes] : [...shapes, ...body]));
   if (surface) {
     const inside = surface.x.map((at, n) => n).filter((n) => surface.zone[n] !== 'free');
@@ -79,9 +79,9 @@ export function sketch(place, reply) {
   const load = answer.load ?? number(scene.load);
   if (Number.isFinite(load)) arrow(middle, 6, middle, 44, 'P = ' + readable(load, per_metre ? 'N/m' : 'N', 4), 'end');
   arrow(0.8 * width, 30, 0.93 * width, 30, 'V = ' + readable(number(scene.speed), 'm/s', 4), 'start');
-  svg.append(element('text', { x: 8, y: 18 }, 'R = ' + readable(radius, 'm', 4)), element('text', { x: 8, y: z(-0.5 * depths[1]) + 5 },
+  svg.append(element('text', { x: 8, y: 18 }, view.pressed ? readable(2 * radius, 'm', 4) + ' long' : 'R = ' + readable(radius, 'm', 4)), element('text', { x: 8, y: z(-0.5 * depths[1]) + 5 },
     'H = ' + (Number.isFinite(view.thickness[0]) ? readable(view.thickness[0], 'm', 4) : 'infinite')));
-  svg.setAttribute('aria-label', 'The scene to scale: a ' + scene.indenter + ' of ' + readable(radius, 'm', 4) + ' radius on ' + view.thickness.length +
+  svg.setAttribute('aria-label', 'The scene to scale: a ' + (view.pressed ? 'given pressure' : scene.indenter) + ' of ' + readable(radius, 'm', 4) + ' radius on ' + view.thickness.length +
     (view.thickness.length === 1 ? ' layer' : ' layers') + (answered ? ', in contact over ' + readable(view.contact, 'm', 4) : ''));
   place.replaceChildren(svg);
   return svg;

@@ -70,6 +70,7 @@ class SceneSketch {
         layers_{{scene.layer_thickness, &scene}},
         unit_(scaled_unit("m", scene.radius)),
         coating_yields_(coating_yields(scene)),
+        pressed_(scene.indenter == Indenter::pressure),
         picture_(title, files, {}, span_of_view().first, {}, span_of_view().second) {
     for (const BondedLayer& layer : scene.lower_layers) layers_.push_back({layer.layer_thickness, &layer});
   }
@@ -86,7 +87,7 @@ class SceneSketch {
     }
     draw_contact();
     draw_thickness();
-    draw_radius();
+    if (!pressed_) draw_radius();
     draw_motion();
     draw_length_scale();
     const double height = plot_width * (top_ - bottom_) / (2 * half_width_);
@@ -98,7 +99,7 @@ class SceneSketch {
   // All places from here on are in units of `unit_`; z = 0 is the undeformed surface.
   double in_unit(double metres) const { return metres / unit_.factor; }
   double radius() const { return in_unit(scene_.radius); }
-  bool whole_body() const { return half_width_ > 1.1 * radius(); }
+  bool whole_body() const { return half_width_ > 1.1 * radius() && !pressed_; }
   double pixel() const { return 2 * half_width_ / plot_width; }
 
   double finite_thickness() const {
@@ -123,7 +124,8 @@ class SceneSketch {
     if (finite_thickness() > 0) thinnest = std::min(thinnest, finite_thickness());
     const double needed = std::max({12 * widest * thinnest, 4 * contact_length(), 0.02 * radius()});
     half_width_ = thinnest < least_share * radius() ? std::min(needed, widest * radius()) : widest * radius();
-    top_ = whole_body() ? 2.62 * radius() : 1.15 * half_width_;
+    if (pressed_) half_width_ = 2.5 * radius();
+    top_ = whole_body() ? 2.62 * radius() : (pressed_ ? 0.8 : 1.15) * half_width_;
     deepest_ = 0;
     const double limit = 1.05 * half_width_;  // below it a thick layer is cut
     for (const DrawnLayer& layer : layers_) {
@@ -140,6 +142,7 @@ class SceneSketch {
 
   /// The approach; where it is not defined, what the edges of the contact alone tell.
   double sunk() const {
+    if (pressed_) return 0;
     if (std::isfinite(solution_.approach)) return in_unit(solution_.approach);
     return contact_length() * contact_length() / (8 * radius());
   }
@@ -151,11 +154,49 @@ class SceneSketch {
   /// Height of the layers' surface: the body's in the contact, beyond it a curve that falls to zero.
   double surface(double x) const {
     if (!answered_ || coating_yields_) return 0;
+    if (pressed_) return surface_under_pressure(x);
     const double ahead = in_unit(solution_.leading_edge), behind = in_unit(solution_.trailing_edge);
     const double edge = std::clamp(x, behind, ahead), height = bottom_of_body(edge);
     if (edge == x) return height;
     const double length = std::max(0.5 * contact_length(), 4 * pixel());
     return height * std::exp(-std::abs(x - edge) / length);
+  }
+
+  /// The computed one as far as it reaches, and its end beyond.
+  double surface_under_pressure(double x) const {
+    const SurfaceGrid& grid = solution_.fields.grid;
+    const double place = std::clamp((x * unit_.factor - grid.x(0)) / grid.spacing_x, 0.0, grid.columns - 1.001);
+    const int column = static_cast<int>(place);
+    const auto w = [&](int at) {
+      return in_unit(solution_.fields.w[static_cast<std::size_t>(grid.index(at, -grid.first_row))]);
+    };
+    return w(column) + (place - column) * (w(column + 1) - w(column));
+  }
+
+  /// A given pressure as a figure of its height along the motion on the surface, with arrows.
+  void draw_pressure() {
+    const double r = radius(), high = 0.55 * r;
+    const auto pressure = [&](double x) {
+      return scene_.pressure_distribution == PressureDistribution::uniform
+                 ? 1
+                 : std::sqrt(std::max(1 - (x / r) * (x / r), 0.0));
+    };
+    constexpr int pieces = 200, arrows = 6;
+    std::vector<Point> outline, foot;
+    for (int i = 0; i <= pieces; ++i) {
+      const double x = r * (2.0 * i / pieces - 1);
+      outline.push_back({x, surface(x) + high * pressure(x)});
+      foot.push_back({x, surface(x)});
+    }
+    outline.insert(outline.end(), foot.rbegin(), foot.rend());
+    fill("pressure", outline, body_colour);
+    for (int i = 0; i <= arrows; ++i) {
+      const double x = 0.96 * r * (2.0 * i / arrows - 1);
+      arrow({x, surface(x) + high * pressure(x)}, {x, surface(x)}, "head size screen 0.012,22 filled lw 1.1");
+    }
+    const std::string words = shown(2 * scene_.radius, "m");
+    arrow({-r, high + 26 * pixel()}, {r, high + 26 * pixel()}, "heads size screen 0.016,22 filled lw 1.3");
+    label(words, {-0.5 * r, high + 42 * pixel()}, "center", 16);
   }
 
   /// Points of a surface that follows the dent, less and less with the depth.
@@ -217,6 +258,7 @@ class SceneSketch {
   }
 
   void draw_body() {
+    if (pressed_) return draw_pressure();
     double r = radius();
     for (std::size_t i = 0; i < scene_.coating_layers.size(); ++i) {
       const BondedLayer& layer = scene_.coating_layers[i];
@@ -358,6 +400,7 @@ class SceneSketch {
     arrow({v_from, v_at}, {v_to, v_at}, motion);
     label(speed, {0.5 * (v_from + v_to), v_at + 18 * pixel()}, "center", 16, named("V", speed));
     draw_skew({0.99 * half_width_, v_at});
+    if (pressed_) return;
 
     const double drive = answered_ ? solution_.driving_force : RollingSolution::absent;
     const std::string push =
@@ -409,7 +452,7 @@ class SceneSketch {
   bool answered_;  // and the contact is known
   std::vector<DrawnLayer> layers_;
   ScaledUnit unit_;
-  bool coating_yields_;
+  bool coating_yields_, pressed_;
   PictureBuilder picture_;
   double half_width_ = 1, top_ = 1, bottom_ = -1, deepest_ = 0, approach_ = 0;
   std::vector<double> depths_;  // of the layers' upper sides
@@ -434,8 +477,9 @@ PictureText scene_sketch(const RollingScene& scene, const RollingSolution& solut
 
 std::string sketch_in_words(const RollingScene& scene) {
   const std::size_t layers = 1 + scene.lower_layers.size();
-  return "a " + std::string(Body(scene.indenter).name()) + " of " + shown(scene.radius, "m") + " radius" +
-         (scene.coating_layers.empty() ? "" : " with a coating") + " on " +
+  const bool pressed = scene.indenter == Indenter::pressure;
+  return "a " + std::string(Body(scene.indenter).name()) + " of " + shown((pressed ? 2 : 1) * scene.radius, "m") +
+         (pressed ? " length" : " radius") + (scene.coating_layers.empty() ? "" : " with a coating") + " on " +
          (layers == 1 ? "one layer" : std::to_string(layers) + " layers") + ", drawn to scale";
 }
 

@@ -196,11 +196,35 @@ void strain_finitely(RollingScene& scene) {
   scene.transverse_radius.reset();
   scene.profile_places.clear();
   scene.profile_heights.clear();
+  scene.traction_coefficient = 0;
+  scene.deflection_places_x.clear();
+  scene.deflection_places_y.clear();
   scene.lateral_force.reset();
   scene.axial_force.reset();
   scene.skew_angle.reset();
   scene.camber_angle = scene.pivot = 0;
   if (!scene.coating_layers.empty() && scene.static_shear_modulus) scene.static_shear_modulus = 1e17;
+}
+
+/// Puts a given pressure in place of the body.
+void press(RollingScene& scene) {
+  const RollingScene plain;
+  scene.indenter = Indenter::pressure;
+  scene.friction_coefficient = scene.adhesion_threshold = scene.camber_angle = scene.pivot = 0;
+  scene.drive = plain.drive;
+  scene.kinematics = plain.kinematics;
+  scene.method = plain.method;
+  scene.heat = Heat::off;
+  scene.interior = Interior::off;
+  for (std::optional<double>* const of_body :
+       {&scene.approach, &scene.traction_limit, &scene.driving_torque, &scene.rotation_ratio, &scene.skew_angle,
+        &scene.axial_force, &scene.lateral_force, &scene.period, &scene.width})
+    of_body->reset();
+  scene.load = scene.load.value_or(300);
+  scene.coating_layers.clear();
+  scene.profile_places.clear();
+  scene.profile_heights.clear();
+  scene.deflection_places_y.resize(scene.deflection_places_x.size());
 }
 
 /// Materials with memories over many decades, in all layers.
@@ -227,7 +251,10 @@ RollingScene random_scene(std::uint64_t seed) {
     const double every = dice.one_in(2) ? 2 : 6, decades = dice.one_in(3) ? 1.5 : 12;
     visit_inputs(scene, Change(dice, every, decades));
     if (dice.one_in(4)) widen_spectra(dice, scene);
-    if (dice.one_in(10)) strain_finitely(scene);
+    if (dice.one_in(10))
+      strain_finitely(scene);
+    else if (dice.one_in(6))
+      press(scene);
     scene.time_limit.reset();
     scene.memory_limit.reset();
     for (int tries = 0; tries < 60; ++tries) {

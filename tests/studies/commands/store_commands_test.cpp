@@ -205,7 +205,8 @@ TEST_CASE("query prints the same rows as table, CSV and JSON", "[studies][comman
   CHECK(lines_in(all.out) == 7);
   CHECK(
       all.out.starts_with("id,key,created,provenance,indenter,radius,transverse_radius,crown,profile_places,profile_"
-                          "heights,width,layer_thickness,"));
+                          "heights,pressure_shape,pressure_distribution,traction_coefficient,deflection_places_x,"
+                          "deflection_places_y,width,layer_thickness,"));
   CHECK(lines_in(studied.run("query", {"status=converged", "--limit", "3"}).out) == 4);
 
   const ProgramRun nothing = studied.run("query", {"speed>5", "--format", "json"});
