@@ -287,7 +287,6 @@ void check_model(const RollingScene& scene, bool in_range, BrokenRules& broken) 
 
 std::string why_no_interior(const RollingScene& scene) {
   if (scene.period) return "not with a period";
-  if (scene.indenter == Indenter::pressure) return "not of a given pressure";
   if (dimension_of(scene.indenter) == 2 && !is_straight(scene)) return "not of a skewed cylinder";
   if (dimension_of(scene.indenter) == 3 &&
       !has_mirror(scene.friction_coefficient > 0, is_straight(scene), outline_of(scene)))

@@ -292,7 +292,7 @@ TEST_CASE("every wrong override is refused in one line, with exit status 2", "[s
       {{"speed=1", "speed=2"}, "--set: speed = 2: key given twice"},
       {{"method=secant"},
        "--set: method = \"secant\": must be one of automatic, newton, newton_dense, active_set, spectral, "
-       "finite_strain"},
+       "finite_strain, convolution"},
       {{"drive=torque"}, file + " with --set: driving_torque is missing: drive \"torque\" needs it"},
       {{"spacing=5 mm"}, file + " with --set: spacing = 0.005: must be at most a fifth of the radius"}};
   for (const auto& [words, message] : overrides) {
