@@ -234,7 +234,6 @@ RollingSolution solve_given_pressure(const ContactModel& model) {
   solution.rolling_resistance_coefficient = solution.rolling_resistance / solution.load;
   set_error(loss.error, solution);
   solution.viscous_loss = solution.rolling_resistance * model.speed;
-  solution.energy_residual = std::abs(resistance.value() / solution.rolling_resistance - 1);
   solution.leading_edge = area.half_length;
   solution.trailing_edge = -area.half_length;
   solution.half_width = area.half_width;
@@ -247,6 +246,10 @@ RollingSolution solve_given_pressure(const ContactModel& model) {
   solution.peak_deflection = peak.value();
   solution.peak_deflection_x = grid->deepest().x;
   solution.deflection_error = std::max(middle.error(), peak.error());
+  // An elastic layer resists with nothing, of the load times the slope of its dent.
+  const double nothing = 1e-6 * solution.load * std::abs(solution.peak_deflection) / area.half_length;
+  solution.energy_residual = std::abs(resistance.value() - solution.rolling_resistance) /
+                             std::max(std::abs(solution.rolling_resistance), nothing);
   for (const Extrapolated& at_place : at_places) {
     solution.deflections.push_back(at_place.value());
     // Between nodes all of what was to come is open, as it may be of another order there.

@@ -7,7 +7,7 @@
 ///   R_r = integral of p dw/dx - tau du/dx,   w upwards,
 /// is the power that the layers take, over V: the resistance that the layers' loss alone puts up. What slips or rolls
 /// between a tyre and its road is no part of it. It is answered wave by wave (loss_by_waves.hpp); what the sum over the
-/// cells misses of that is the energy_residual.
+/// cells misses of that is the energy_residual, large where memories are shorter than a cell.
 ///
 /// Deflections are of second order in the cell, as cells see no place of the load within them: on two grids, of n and
 /// about 2 n cells along the load, they are extrapolated, and what that changes tells their error.

@@ -13,7 +13,7 @@ namespace rollres {
 /// @param error of the rolling resistance [N] (per metre for a cylinder)
 inline void set_error(double error, RollingSolution& solution) {
   solution.rolling_resistance_error = error;
-  solution.error_estimate = error / std::abs(solution.rolling_resistance);
+  solution.error_estimate = error == 0 ? 0 : error / std::abs(solution.rolling_resistance);
 }
 
 /// @param error relative to the rolling resistance
