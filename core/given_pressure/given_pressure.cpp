@@ -29,8 +29,7 @@ using Places = std::vector<std::array<double, 2>>;  // (x, y) [m]
 
 int odd(double count) { return 2 * static_cast<int>(std::lround(0.5 * (count - 1))) + 1; }
 
-/// How many times longer along the motion than across it, as far as cells are not: the shorter side of a slender load
-/// has the number of cells that is asked for, and the longer one more.
+/// How many times more cells a load's longer side has than its shorter one, so that no cell is too flat.
 double slenderness(double longer, double shorter) { return std::max(1.0, longer / (flattest_cell * shorter)); }
 
 /// A grid whose cells fill the rectangle round the load, and which reaches as far as a margin and the places asked for.

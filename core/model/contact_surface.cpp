@@ -192,6 +192,7 @@ std::string surface_in_words(const ContactModel& model) {
                                    : std::to_string(layers) + " layers bonded to each other and to ";
   text += half_space ? "a half-space" : "a rigid base";
   const std::size_t coats = model.coating.size();
+  if (model.loaded) return text;
   if (coats == 0) return text + ", rigid body";
   return text + ", rigid body with " + (coats == 1 ? "a coating" : std::to_string(coats) + " coatings");
 }
