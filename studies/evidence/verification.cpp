@@ -336,6 +336,7 @@ std::vector<VerificationRow> verify(const Evaluate& evaluate) {
   check_two_spheres(checks);
   check_kalker(checks);
   check_turned_spheres(checks);
+  check_given_pressures(checks);
   check_layers(checks);
   check_speed_limits(checks);
   check_inside_cylinder(checks);

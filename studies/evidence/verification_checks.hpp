@@ -42,4 +42,7 @@ RollingScene on_half_space(Indenter indenter);
 void check_skewed_paper_cylinder(Checks& checks);
 void check_turned_spheres(Checks& checks);
 
+/// Of a pressure that is given, without a body.
+void check_given_pressures(Checks& checks);
+
 }  // namespace rollres::verification
