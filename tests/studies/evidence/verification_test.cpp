@@ -8,7 +8,7 @@
 #include "tests/plain_scene.hpp"
 #include "tests/studies/program.hpp"
 
-// Covers command_verify, verification_checks, verification_inside, verification_heat and verification_turned, too.
+// Covers command_verify, verification_checks, verification_inside, verification_heat and verification_bodies, too.
 
 using namespace rollres;
 using Catch::Matchers::Contains;
