@@ -134,23 +134,13 @@ class PressedGrid {
   void keep_fields(RollingSolution& solution) const {
     SurfaceFields& fields = solution.fields;
     fields.grid = mirrored(grid_);
-    const auto whole = [&](const Vector& values, double parity) {
-      const Vector all = mirrored(grid_, values, parity);
-      return std::vector<double>(all.begin(), all.end());
-    };
-    const auto at_nodes = [&](const Vector& moved) {
-      Vector kept(grid_.size());
-      for (int row = 0; row < grid_.rows; ++row)
-        kept.segment(grid_.index(0, row), grid_.columns) = moved.segment(row * (grid_.columns + 1), grid_.columns);
-      return kept;
-    };
-    const Vector none = Vector::Zero(grid_.size());
-    fields.w = whole(at_nodes(moved_.w), 1);
-    fields.u = whole(at_nodes(moved_.u), 1);
-    fields.v = whole(at_nodes(moved_.v), -1);
-    fields.pressure = whole(pressure_, 1);
-    fields.shear_x = whole(model_.loaded->traction * pressure_, 1);
-    fields.shear_y = fields.slip_x = fields.slip_y = whole(none, 1);
+    const auto keep = [&](const Vector& values, double parity) { return on_whole_grid(grid_, values, parity); };
+    fields.w = keep(at_nodes(grid_, moved_.w), 1);
+    fields.u = keep(at_nodes(grid_, moved_.u), 1);
+    fields.v = keep(at_nodes(grid_, moved_.v), -1);
+    fields.pressure = keep(pressure_, 1);
+    fields.shear_x = keep(model_.loaded->traction * pressure_, 1);
+    fields.shear_y = fields.slip_x = fields.slip_y = keep(Vector::Zero(grid_.size()), 1);
     for (const double pressure : fields.pressure) fields.zone.push_back(pressure > 0 ? Zone::stick : Zone::free);
     solution.contact_nodes = static_cast<int>(
         fields.zone.size() - static_cast<std::size_t>(std::count(fields.zone.begin(), fields.zone.end(), Zone::free)));

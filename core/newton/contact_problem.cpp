@@ -82,4 +82,16 @@ Vector mirrored(const SurfaceGrid& grid, const Vector& values, double parity) {
   return whole;
 }
 
+std::vector<double> on_whole_grid(const SurfaceGrid& grid, const Vector& values, double parity) {
+  const Vector whole = mirrored(grid, values, parity);
+  return {whole.begin(), whole.end()};
+}
+
+Vector at_nodes(const SurfaceGrid& grid, const Vector& moved) {
+  Vector kept(grid.size());
+  for (int row = 0; row < grid.rows; ++row)
+    kept.segment(grid.index(0, row), grid.columns) = moved.segment(row * (grid.columns + 1), grid.columns);
+  return kept;
+}
+
 }  // namespace rollres

@@ -10,6 +10,7 @@
 /// corrections of README.md).
 
 #include <Eigen/Core>
+#include <vector>
 
 #include "core/edge/contact_edge.hpp"
 #include "core/model/indenter_shape.hpp"
@@ -124,5 +125,10 @@ SurfaceGrid mirrored(const SurfaceGrid& grid);
 
 /// Values on the whole grid from those on the grid; `parity` -1 for odd in y.
 Vector mirrored(const SurfaceGrid& grid, const Vector& values, double parity);
+/// The same as a list.
+std::vector<double> on_whole_grid(const SurfaceGrid& grid, const Vector& values, double parity);
+
+/// Displacements at the nodes of the grid, of those that reach a column beyond it.
+Vector at_nodes(const SurfaceGrid& grid, const Vector& moved);
 
 }  // namespace rollres

@@ -201,23 +201,15 @@ class Assessment {
     const SurfaceGrid& half = problem_.grid;
     SurfaceFields& fields = s_.fields;
     fields.grid = mirrored(half);
-    const auto keep = [&](const Vector& values, double parity) {
-      const Vector whole = mirrored(half, values, parity);
-      return std::vector<double>(whole.data(), whole.data() + whole.size());
-    };
-    const auto at_nodes = [&](const Vector& moved) {
-      Vector values(half.size());
-      for (Eigen::Index i = 0; i < values.size(); ++i) values(i) = moved(moved_index(i));
-      return values;
-    };
+    const auto keep = [&](const Vector& values, double parity) { return on_whole_grid(half, values, parity); };
     const Vector zero = Vector::Zero(half.size());
-    fields.w = keep(at_nodes(moved_.w), 1);
+    fields.w = keep(at_nodes(half, moved_.w), 1);
     fields.pressure = keep(unknowns_.pressure, 1);
-    fields.u = keep(at_nodes(moved_.u), 1);
+    fields.u = keep(at_nodes(half, moved_.u), 1);
     fields.shear_x = keep(problem_.friction ? unknowns_.shear_x : zero, 1);
     fields.slip_x = keep(problem_.friction ? slip_x_ : zero, 1);
     if (problem_.lateral) {
-      fields.v = keep(at_nodes(moved_.v), -1);
+      fields.v = keep(at_nodes(half, moved_.v), -1);
       fields.shear_y = keep(problem_.friction ? unknowns_.shear_y : zero, -1);
       fields.slip_y = keep(problem_.friction ? slip_y_ : zero, -1);
     }

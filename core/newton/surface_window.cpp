@@ -93,16 +93,9 @@ SurfaceFields surface_around(const ContactModel& model, const RollingSolution& s
   };
   const InfluenceOperator influence(model, influence_table(model, to), own, true);
   const Displacements moved = influence.apply(upper(wide.pressure), upper(wide.shear_x), upper(wide.shear_y));
-  const auto whole = [&](const Vector& values, double parity) {
-    Vector kept(own.size());
-    for (int row = 0; row < own.rows; ++row)
-      kept.segment(own.index(0, row), own.columns) = values.segment(row * (own.columns + 1), own.columns);
-    const Vector all = mirrored(own, kept, parity);
-    return std::vector<double>(all.begin(), all.end());
-  };
-  wide.w = whole(moved.w, 1);
-  wide.u = whole(moved.u, 1);
-  if (model.dimension == 3) wide.v = whole(moved.v, -1);
+  wide.w = on_whole_grid(own, at_nodes(own, moved.w), 1);
+  wide.u = on_whole_grid(own, at_nodes(own, moved.u), 1);
+  if (model.dimension == 3) wide.v = on_whole_grid(own, at_nodes(own, moved.v), -1);
   return wide;
 }
 

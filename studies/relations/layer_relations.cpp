@@ -215,8 +215,10 @@ RelatedPair deep_layer(Dice&, RollingScene scene) {
   // layer, not a half-space, by about P/(pi G H), a thousandth of the contact's strains, which friction feels.
   const bool slips = scene.friction_coefficient > 0;
   if (slips && scene.drive == Drive::rotation && std::abs(*scene.rotation_ratio - 1) < 0.1) return {};
-  return RelatedScenes{
-      .one = scene, .other = known_scene(other), .exact = slips ? 1e-3 : 1e-5, .left_out = {"approach"}};
+  return RelatedScenes{.one = scene,
+                       .other = known_scene(other),
+                       .exact = slips ? 1e-3 : 1e-5,
+                       .left_out = {"approach", "deflection", "peak_deflection"}};
 }
 
 }  // namespace rollres

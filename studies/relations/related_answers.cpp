@@ -23,7 +23,7 @@ struct ComparedOutput {
   double points = 0;  ///< with continuous edges, of a peak that is looked for between the points of a solution [1]
 };
 
-constexpr std::array<ComparedOutput, 26> compared_outputs{{{"rolling_resistance", ComparedOutput::resistance},
+constexpr std::array<ComparedOutput, 28> compared_outputs{{{"rolling_resistance", ComparedOutput::resistance},
                                                            {"driving_force", ComparedOutput::force, 0, 1},
                                                            {"driving_torque", ComparedOutput::torque, 0, 1},
                                                            {"rotation_ratio", ComparedOutput::rotation, 5},
@@ -43,6 +43,8 @@ constexpr std::array<ComparedOutput, 26> compared_outputs{{{"rolling_resistance"
                                                            {"peak_shear_y", ComparedOutput::shear, 5, 0, 1e-3},
                                                            {"viscous_loss", ComparedOutput::power, 1},
                                                            {"frictional_loss", ComparedOutput::power, 1},
+                                                           {"deflection"},
+                                                           {"peak_deflection"},
                                                            {"peak_shear_strain"},
                                                            {"strain_amplitude"},
                                                            {"peak_strain_amplitude"},
@@ -56,6 +58,7 @@ double own_error(const RollingSolution& solution, std::string_view key) {
   if (key == "contact_area") return solution.contact_area_error;
   if (key == "mean_pressure") return solution.mean_pressure * solution.contact_area_error / solution.contact_area;
   if (key == "peak_pressure") return solution.peak_pressure_error;
+  if (key == "deflection" || key == "peak_deflection") return solution.deflection_error;
   return RollingSolution::absent;
 }
 

@@ -141,6 +141,29 @@ void draw_traction_limit(Dice& dice, RollingScene& scene) {
   scene.traction_limit = rounded(scene.friction_coefficient * estimate.load / area * dice.log_uniform(0.05, 2));
 }
 
+/// Puts a given pressure in place of one ball in eight, of about the size of its contact.
+void draw_given_pressure(Dice& dice, RollingScene& scene) {
+  if (dimension_of(scene.indenter) == 2 || dice.choice(8) != 0 || !scene.load) return;
+  RollingScene given;
+  static_cast<MaterialInputs&>(given) = scene;
+  given.layer_thickness = scene.layer_thickness;
+  given.layer_density = scene.layer_density;
+  given.lower_layers = scene.lower_layers;
+  given.inertia = scene.inertia;
+  given.speed = scene.speed;
+  given.load = scene.load;
+  given.tolerance = scene.tolerance;
+  given.indenter = Indenter::pressure;
+  given.radius = rounded(estimate_contact(scene).half_width * dice.log_uniform(0.3, 3));
+  given.transverse_radius = rounded(given.radius * dice.log_uniform(0.2, 5));
+  given.pressure_shape = static_cast<PressureShape>(dice.choice(2));
+  given.pressure_distribution = static_cast<PressureDistribution>(dice.choice(2));
+  given.traction_coefficient = dice.choice(2) == 0 ? 0 : rounded(dice.signed_log_uniform(0.05, 1));
+  given.deflection_places_x = {rounded(given.radius * dice.signed_log_uniform(0.1, 4))};
+  given.deflection_places_y = {rounded(given.radius * dice.signed_log_uniform(0.1, 4))};
+  scene = std::move(given);
+}
+
 RollingScene scene_to_relate(Dice& dice, RollingScene scene) {
   if (dice.choice(3) == 0) leave_friction_out(scene);
   if (dice.choice(4) != 0) scene.inertia = Inertia::off;
@@ -156,6 +179,7 @@ RollingScene scene_to_relate(Dice& dice, RollingScene scene) {
     draw_cylinder_method(dice, scene);
   draw_turning(dice, scene);
   draw_traction_limit(dice, scene);
+  draw_given_pressure(dice, scene);
   return scene;
 }
 
