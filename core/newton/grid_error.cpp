@@ -122,6 +122,12 @@ double open_friction(int dimension, const ContactPowers& powers) {
   return (dimension == 3 ? of_sphere : of_line) * told * powers.half_cell();
 }
 
+double open_load(int dimension, const ContactPowers& powers) {
+  constexpr double of_load = 0.05, load_order = 1.5;
+  if (dimension == 2 || !powers.load_found) return 0;
+  return of_load * std::abs(powers.resistance()) * std::pow(powers.cells, -load_order);
+}
+
 double expected_change(int dimension, double last, double before) {
   if (dimension == 3) return last;
   constexpr double part = 0.15;
@@ -141,10 +147,7 @@ double sphere_change(double last, const ContactPowers& powers, const EdgeTrust& 
   const double friction =
       std::hypot(of_friction * std::sqrt(open) * std::abs(powers.friction) * std::pow(powers.cells, -friction_order),
                  open_friction(3, powers));
-  // Under a given approach the load, and R_r with it, is found to this share.
-  constexpr double of_load = 0.05, load_order = 1.5;
-  const double load =
-      powers.load_found ? of_load * std::abs(powers.resistance()) * std::pow(powers.cells, -load_order) : 0;
+  const double load = open_load(3, powers);
   const double beyond = std::max(0.0, last - 2.5 * (edge + friction));
   // The edge's correction leaves less of both: of friction's where nodes stick and memories are resolved.
   constexpr double edge_corrected = 0.6, friction_corrected = 0.8;
@@ -184,10 +187,10 @@ double expected_change_of_tied_line(double last, double before, const ContactPow
                     open_friction(2, powers));
 }
 
-double GridError::estimate(double resistance, double change, double open_friction) const {
+double GridError::estimate(double resistance, double change, double open_still) const {
   const double mended = slow_share * std::min(1.0, std::abs(slow_loss / resistance));
-  return 1.25 * std::hypot((1 - mended) * change, mended * open_friction) +
-         of_unresolved * (1 - slow_share) * unresolved + slow_share * slow_error;
+  return 1.25 * std::hypot((1 - mended) * change, mended * open_still) + of_unresolved * (1 - slow_share) * unresolved +
+         slow_share * slow_error;
 }
 
 namespace {
@@ -248,8 +251,17 @@ GridError grid_error(const ContactProblem& problem, const Vector& pressure, cons
   const double softening = 1 - creep.instantaneous / moments.rest;
   const double edges = std::clamp(0.2 * sums.half_length / model.top().layer_thickness, 0.05, 2.0);
   const double slope = model.friction_coefficient > 0 ? sums.half_length / model.radius : 0;
+  // What both terms have of memories that are not short against the contact is no part of slow rolling.
+  double long_first = 0, long_second = 0;
+  for (const CreepSpectrum::Term& term : creep.terms) {
+    const double over = model.speed * term.time / sums.half_length, beyond = over * over / (1 + over * over);
+    long_first += beyond * term.compliance * term.time / moments.rest;
+    long_second += beyond * term.compliance * term.time * term.time / moments.rest;
+  }
+  const double not_slow = model.speed * long_first * sums.curved +
+                          model.speed * model.speed * long_second * M_PI / (4 * modulus) * sums.edge_slopes;
   error.slow_error =
-      limit * (1e-5 + second * (edges + second * (1 + 12 * softening * softening)) + 0.1 * slope * slope);
+      not_slow + limit * (1e-5 + second * (edges + second * (1 + 12 * softening * softening)) + 0.1 * slope * slope);
   const double square = error.unresolved * error.unresolved;
   // None where the grid resolves the memories well: the edges' slopes jump with the nodes, which a smooth answer must
   // not.

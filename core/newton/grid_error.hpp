@@ -22,8 +22,8 @@ struct GridError {
   double memory_length = 0;  ///< longest V tau [m]
 
   /// Estimated error of a resistance [N], from `expected_change` (N22). Where the viscous loss is that of slow rolling,
-  /// a finer grid changes friction's part alone, by `open_friction` or so.
-  double estimate(double resistance, double change, double open_friction) const;
+  /// a finer grid changes friction's part and the load that is found alone, by `open_still` or so.
+  double estimate(double resistance, double change, double open_still) const;
 };
 
 /// What finer grids may still change in a resistance [N]: what the last halving of the spacing changed, with a part of
@@ -55,6 +55,8 @@ double expected_change_of_tied_line(double last, double before, const ContactPow
 /// What of these changes the slip between the nodes may make alone [N]: of slip zones narrower than a cell the grid
 /// knows no more.
 double open_friction(int dimension, const ContactPowers& powers);
+/// And the load of a sphere alone that is found under a given approach, as R_r goes with it [N].
+double open_load(int dimension, const ContactPowers& powers);
 
 /// Much friction reduces the share of slow rolling. @param pressure on the problem's (half) grid [Pa]
 GridError grid_error(const ContactProblem& problem, const Vector& pressure, const std::vector<Zone>& zone,

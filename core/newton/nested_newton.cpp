@@ -194,6 +194,7 @@ ContactLevel solve_level(const ContactModel& model, SurfaceGrid grid, const Cont
 
 double NestedOutcome::error_estimate(const GridError& error, double resistance) const {
   const double last = last_change();
+  const int dimension = finest.problem->model.dimension;
   constexpr double rounding = 1e-11;
   double to_come = tied ? expected_change_of_tied_line(last, change_before, finest.powers)
                         : expected_change(finest.problem->model.dimension, last, change_before, finest.powers,
@@ -201,7 +202,7 @@ double NestedOutcome::error_estimate(const GridError& error, double resistance) 
   // Hollows of a profile that cells pass over make changes irregular.
   if (finest.problem->model.profiled() && last > to_come) to_come = last;
   return error.estimate(resistance, limit(&GridNumbers::resistance).change_left(to_come),
-                        open_friction(finest.problem->model.dimension, finest.powers)) +
+                        std::hypot(open_friction(dimension, finest.powers), open_load(dimension, finest.powers))) +
          rounding * finest.powers.halves;
 }
 

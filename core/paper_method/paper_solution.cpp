@@ -84,7 +84,9 @@ RollingSolution solve_paper(const ContactModel& model) {
                             : RollingSolution::absent;
   take_slow_rolling(model, error, powers, solution);
   const double to_come = expected_change(model.dimension, change, RollingSolution::absent, powers);
-  set_error(error.estimate(solution.rolling_resistance, to_come, open_friction(model.dimension, powers)), solution);
+  set_error(error.estimate(solution.rolling_resistance, to_come,
+                           std::hypot(open_friction(model.dimension, powers), open_load(model.dimension, powers))),
+            solution);
   return solution;
 }
 
