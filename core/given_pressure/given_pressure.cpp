@@ -190,10 +190,23 @@ double cells_of(const ContactModel& model) {
   return 2 * area.half_length / *model.spacing / slenderness(area.half_length, area.half_width);
 }
 
+/// What is given, and known without an error.
+void tell_load(const ContactModel& model, RollingSolution& solution) {
+  const LoadedArea& area = *model.loaded;
+  solution.load = *model.load;
+  solution.leading_edge = area.half_length;
+  solution.trailing_edge = -area.half_length;
+  solution.half_width = area.half_width;
+  solution.contact_area = area.area();
+  solution.mean_pressure = solution.load / solution.contact_area;
+  solution.peak_pressure = area.peak_factor() * solution.mean_pressure;
+  solution.edge_error = solution.contact_area_error = solution.peak_pressure_error = 0;
+  solution.peak_shear_x = std::abs(area.traction) * solution.peak_pressure;
+}
+
 }  // namespace
 
 RollingSolution solve_given_pressure(const ContactModel& model) {
-  const LoadedArea& area = *model.loaded;
   const double cells = cells_of(model);
   const Places& places = model.deflection_places;
   Extrapolated resistance, middle, peak;
@@ -218,25 +231,17 @@ RollingSolution solve_given_pressure(const ContactModel& model) {
   RollingSolution solution;
   solution.method = Method::convolution;
   solution.status = Status::converged;
-  solution.load = *model.load;
+  tell_load(model, solution);
   solution.rolling_resistance = loss.resistance;
   solution.rolling_resistance_coefficient = solution.rolling_resistance / solution.load;
   set_error(loss.error, solution);
   solution.viscous_loss = solution.rolling_resistance * model.speed;
-  solution.leading_edge = area.half_length;
-  solution.trailing_edge = -area.half_length;
-  solution.half_width = area.half_width;
-  solution.contact_area = area.area();
-  solution.mean_pressure = solution.load / solution.contact_area;
-  solution.peak_pressure = area.peak_factor() * solution.mean_pressure;
-  solution.edge_error = solution.contact_area_error = solution.peak_pressure_error = 0;
-  solution.peak_shear_x = std::abs(area.traction) * solution.peak_pressure;
   solution.deflection = middle.value();
   solution.peak_deflection = peak.value();
   solution.peak_deflection_x = grid->deepest().x;
   solution.deflection_error = std::max(middle.error(), peak.error());
   // An elastic layer resists with nothing, of the load times the slope of its dent.
-  const double nothing = 1e-6 * solution.load * std::abs(solution.peak_deflection) / area.half_length;
+  const double nothing = 1e-6 * solution.load * std::abs(solution.peak_deflection) / model.loaded->half_length;
   solution.energy_residual = std::abs(resistance.value() - solution.rolling_resistance) /
                              std::max(std::abs(solution.rolling_resistance), nothing);
   for (const Extrapolated& at_place : at_places) {
