@@ -181,6 +181,9 @@ RelatedPair turned_back(Dice&, RollingScene scene) {
     if (*turning) **turning *= -1;
   other.camber_angle *= -1;
   other.pivot *= -1;
+  std::reverse(other.profile_places.begin(), other.profile_places.end());
+  std::reverse(other.profile_heights.begin(), other.profile_heights.end());
+  for (double& place : other.profile_places) place *= -1;
   return RelatedScenes{.one = scene, .other = known_scene(other), .exact = 1e-7, .strict = true, .turned_back = true};
 }
 
