@@ -9,6 +9,7 @@
 #include "core/convolution/influence_operator.hpp"
 #include "core/given_pressure/loss_by_waves.hpp"
 #include "core/influence/influence.hpp"
+#include "core/interior/interior_lines.hpp"
 #include "core/messages/message_text.hpp"
 #include "core/model/stated_error.hpp"
 #include "core/newton/contact_problem.hpp"
@@ -116,19 +117,11 @@ class PressedGrid {
     return 0.5 * sum * grid_.spacing_y;
   }
 
-  struct Deepest {
-    double x, deflection;
-  };
-  /// On the load's middle line, by the parabola through three nodes.
-  Deepest deepest() const {
-    int most = 1;
-    for (int column = 1; column + 1 < grid_.columns; ++column)
-      if (value(moved_.w, column, 0) < value(moved_.w, most, 0)) most = column;
-    const double before = value(moved_.w, most - 1, 0), at = value(moved_.w, most, 0),
-                 after = value(moved_.w, most + 1, 0);
-    const double bend = before - 2 * at + after, slope = 0.5 * (after - before);
-    const double step = bend > 0 ? std::clamp(-slope / bend, -1.0, 1.0) : 0;
-    return {grid_.x(most) + step * grid_.spacing_x, -(at + step * (slope + 0.5 * step * bend))};
+  /// The largest deflection on the load's middle line, and where.
+  Largest deepest() const {
+    std::vector<double> x;
+    for (int column = 0; column < grid_.columns; ++column) x.push_back(grid_.x(column));
+    return largest_of(x, -moved_.w.head(grid_.columns).array());
   }
 
   void keep_fields(RollingSolution& solution) const {
@@ -219,7 +212,7 @@ RollingSolution solve_given_pressure(const ContactModel& model) {
     const double finer = before / grid->grid().spacing_x;
     resistance.add(grid->resistance(), finer);
     middle.add(grid->deflection({0, 0}), finer);
-    peak.add(grid->deepest().deflection, finer);
+    peak.add(grid->deepest().value, finer);
     open_between_nodes = 0;
     for (std::size_t i = 0; i < places.size(); ++i) {
       at_places[i].add(grid->deflection(places[i]), finer);
@@ -238,7 +231,7 @@ RollingSolution solve_given_pressure(const ContactModel& model) {
   solution.viscous_loss = solution.rolling_resistance * model.speed;
   solution.deflection = middle.value();
   solution.peak_deflection = peak.value();
-  solution.peak_deflection_x = grid->deepest().x;
+  solution.peak_deflection_x = grid->deepest().place;
   solution.deflection_error = std::max(middle.error(), peak.error());
   // An elastic layer resists with nothing, of the load times the slope of its dent.
   const double nothing = 1e-6 * solution.load * std::abs(solution.peak_deflection) / model.loaded->half_length;

@@ -236,8 +236,10 @@ GridError grid_error(const ContactProblem& problem, const Vector& pressure, cons
   // The two terms of (N17) and (N18).
   const double limit = model.speed * moments.first * sums.curved;
   const double modulus = 2 / (moments.rest * (1 - model.top().poisson_ratio));
-  const double second = model.speed * model.speed * (moments.second - 0.5 * moments.first * moments.first) * M_PI /
-                        (4 * modulus) * sums.edge_slopes / limit;
+  const auto of_second_moment = [&](double moment) {
+    return model.speed * model.speed * moment * M_PI / (4 * modulus) * sums.edge_slopes;
+  };
+  const double second = of_second_moment(moments.second - 0.5 * moments.first * moments.first) / limit;
   const bool composite = model.composite();  // which has no moments of one material
   if (!composite) error.slow_loss = limit * (1 - std::min(second, largest_second));
   error.slow_pushed = model.speed * moments.first * sums.unbalanced;
@@ -258,8 +260,7 @@ GridError grid_error(const ContactProblem& problem, const Vector& pressure, cons
     long_first += beyond * term.compliance * term.time / moments.rest;
     long_second += beyond * term.compliance * term.time * term.time / moments.rest;
   }
-  const double not_slow = model.speed * long_first * sums.curved +
-                          model.speed * model.speed * long_second * M_PI / (4 * modulus) * sums.edge_slopes;
+  const double not_slow = model.speed * long_first * sums.curved + of_second_moment(long_second);
   error.slow_error =
       not_slow + limit * (1e-5 + second * (edges + second * (1 + 12 * softening * softening)) + 0.1 * slope * slope);
   const double square = error.unresolved * error.unresolved;
