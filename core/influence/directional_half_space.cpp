@@ -85,11 +85,11 @@ Harmonics response_harmonics(const Harmonics& symbols) {
   return response;
 }
 
-Coefficients harmonic_sum(const Harmonics& harmonics, double x, double y) {
-  Coefficients sum = Coefficients::Zero();
-  for_each_harmonic(x, y, std::sqrt(x * x + y * y), harmonics.cols(),
-                    [&](Index n, const auto& even, const auto& odd) { sum += harmonics.col(n) * waves(even, odd); });
-  return sum;
+Harmonics direction_waves(double x, double y, Index harmonics) {
+  Harmonics values(6, harmonics);
+  for_each_harmonic(x, y, std::sqrt(x * x + y * y), harmonics,
+                    [&](Index n, const auto& even, const auto& odd) { values.col(n) = waves(even, odd); });
+  return values;
 }
 
 CellFunctions::CellFunctions(double x, double y, double cell_x, double cell_y, Index harmonics) {

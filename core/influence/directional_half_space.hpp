@@ -16,8 +16,8 @@ namespace rollres {
 /// Fourier coefficients of r K from those of k times the symbol (K12).
 Harmonics response_harmonics(const Harmonics& symbols);
 
-/// sum of harmonics at the direction of (x, y), not both 0; coefficients in the order of elastic_kernel.hpp.
-Coefficients harmonic_sum(const Harmonics& harmonics, double x, double y);
+/// The cosines and sines of the direction of (x, y), not both 0, by which harmonics are summed.
+Harmonics direction_waves(double x, double y, Eigen::Index harmonics);
 
 /// What a cell has of the functions that the response of any half-space is made of, averaged.
 struct CellFunctions {
@@ -35,8 +35,10 @@ class DirectionalHalfSpace {
 
   /// Average of K over a cell.
   Coefficients operator()(const CellFunctions& cell) const {
-    return ((cell.far ? response_ : antiderivative_) * cell.values).rowwise().sum();
+    return (harmonics(cell.far) * cell.values).rowwise().sum();
   }
+  /// What it weighs a cell's functions with.
+  const Harmonics& harmonics(bool far) const { return far ? response_ : antiderivative_; }
 
  private:
   Harmonics response_, antiderivative_;

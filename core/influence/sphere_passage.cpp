@@ -1,11 +1,15 @@
 #include "core/influence/sphere_passage.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <string>
+#include <utility>
 
+#include "core/influence/directional_half_space.hpp"
 #include "core/influence/passage_quadrature.hpp"
 #include "core/messages/message_text.hpp"
+#include "core/numerics/chebyshev.hpp"
 #include "core/numerics/quadrature.hpp"
 #include "core/numerics/solution_limits.hpp"
 
@@ -86,27 +90,26 @@ class HankelTransform {
   std::vector<Eigen::ArrayXXd> values_;
 };
 
-/// Harmonics as functions of the distance over the length.
-class RadialHarmonics {
+/// Functions of the distance over the length, all from the same Chebyshev panels.
+class RadialFunctions {
  public:
-  /// @param next_sample at the nodes of one panel after the other
-  template <class Sample>
-  RadialHarmonics(const std::vector<double>& borders, int count, const Sample& next_sample) {
-    std::vector<Harmonics> all((borders.size() - 1) * (panel_degree + 1));
-    for (Harmonics& sample : all) sample = next_sample();
-    for (Index n = 0; n < count; ++n) {
-      std::size_t next = 0;
-      tables_.emplace_back(borders, panel_degree, [&](double) -> Coefficients { return all[next++].col(n); });
-    }
+  /// @param samples  a column at each of the panels' nodes, from the last node of a panel to its first
+  RadialFunctions(std::vector<double> borders, const Eigen::MatrixXd& samples) : borders_(std::move(borders)) {
+    const Index count = panel_degree + 1;
+    const Eigen::MatrixXd to_series = chebyshev_fit(count).from_values.transpose();
+    for (Index panel = 0; panel + 1 < static_cast<Index>(borders_.size()); ++panel)
+      series_.push_back(samples.middleCols(panel * count, count) * to_series);
   }
-  Harmonics operator()(double r) const {
-    Harmonics at(6, static_cast<Index>(tables_.size()));
-    for (std::size_t n = 0; n < tables_.size(); ++n) at.col(static_cast<Index>(n)) = tables_[n](r);
-    return at;
+  Eigen::VectorXd operator()(double r) const {
+    const auto after = std::upper_bound(borders_.begin() + 1, borders_.end() - 1, r);
+    const double from = *(after - 1), to = *after;
+    return series_[static_cast<std::size_t>(after - borders_.begin() - 1)] *
+           chebyshev_images(std::clamp(2 * (r - from) / (to - from) - 1, -1.0, 1.0), panel_degree + 1);
   }
 
  private:
-  std::vector<ChebyshevTable<6>> tables_;
+  std::vector<double> borders_;
+  std::vector<Eigen::MatrixXd> series_;  // of each panel: a row for each function
 };
 
 /// Distance over the length beyond which every term's surface is at rest (rigid base), or close to that of the base.
@@ -126,14 +129,48 @@ double farthest_panel(const DirectionalExpansion& directions, const std::vector<
   return end;
 }
 
-/// How what is left of the correction falls with the distance: r^-2, without harmonics of order 0 r^-3.
-Harmonics tail_at(const Harmonics& tail, double share) {
-  Harmonics falling = tail * (share * share);
-  falling.col(0).head<3>() *= share;
-  return falling;
+Coefficients sum_of(const Eigen::Ref<const Harmonics>& harmonics, const Harmonics& waves) {
+  Coefficients sum = Coefficients::Zero();
+  for (Index n = 0; n < waves.cols(); ++n) sum += harmonics.col(n) * waves.col(n);
+  return sum;
+}
+
+/// The functions of a place by which what is left of the correction falls, at 1/share of the distance of the harmonics:
+/// as r^-2, without harmonics of order 0 as r^-3.
+Harmonics falling(Harmonics waves, double share) {
+  waves *= share * share;
+  waves.col(0).head<3>() *= share;
+  return waves;
 }
 
 }  // namespace
+
+SpherePassage::TermSums::TermSums(const std::vector<Harmonics>& of_terms) {
+  for (Index c = 0; c < 6; ++c) {
+    of_coefficient_[static_cast<std::size_t>(c)].resize(static_cast<Index>(of_terms.size()), of_terms.front().cols());
+    for (std::size_t m = 0; m < of_terms.size(); ++m)
+      of_coefficient_[static_cast<std::size_t>(c)].row(static_cast<Index>(m)) = of_terms[m].row(c).matrix();
+  }
+}
+
+void SpherePassage::TermSums::add_to(Responses& responses, const Places& places) const {
+  if (places.at.empty()) return;
+  const std::size_t count = places.at.size();
+  std::array<Eigen::MatrixXd, 6> sums;  // [place, term]
+  for (Index c = 0; c < 6; ++c) {
+    Eigen::MatrixXd functions(places.functions.front().cols(), static_cast<Index>(count));
+    for (std::size_t i = 0; i < count; ++i)
+      functions.col(static_cast<Index>(i)) = places.functions[i].row(c).matrix().transpose();
+    const auto of = static_cast<std::size_t>(c);
+    sums[of] = functions.transpose() * of_coefficient_[of].transpose();
+  }
+  for (std::size_t m = 0; m < responses.size(); ++m)
+    for (std::size_t i = 0; i < count; ++i) {
+      Coefficients& response = responses[m][places.at[i]];
+      for (std::size_t c = 0; c < 6; ++c)
+        response(static_cast<Index>(c)) += sums[c](static_cast<Index>(i), static_cast<Index>(m));
+    }
+}
 
 SpherePassage::SpherePassage(const LayeredMedium& medium, double wave_speed) {
   const DirectionalExpansion directions(medium, wave_speed);
@@ -143,8 +180,14 @@ SpherePassage::SpherePassage(const LayeredMedium& medium, double wave_speed) {
   for (int m = 0; m < directions.terms(); ++m) {
     deep.push_back(response_harmonics(directions.deep(m)));
     base.push_back(response_harmonics(directions.base(m)));
-    terms_.push_back({directions.time(m), DirectionalHalfSpace(deep.back()), DirectionalHalfSpace(base.back()), {}});
+    times_.push_back(directions.time(m));
   }
+  for (const auto& [sums, half_spaces] : {std::pair{&deep_, &deep}, {&base_, &base}})
+    for (const bool far : {false, true}) {
+      std::vector<Harmonics> of_terms;
+      for (const Harmonics& response : *half_spaces) of_terms.push_back(DirectionalHalfSpace(response).harmonics(far));
+      (*sums)[far] = TermSums(of_terms);
+    }
   const double finite = finite_thickness(medium);
   if (finite == 0) return;
 
@@ -155,104 +198,102 @@ SpherePassage::SpherePassage(const LayeredMedium& medium, double wave_speed) {
   require_memory(
       copies * 48.0 * harmonics_ * directions.terms() * static_cast<double>(borders.size()) * (panel_degree + 1),
       layers_response(directions.terms()));
-  std::vector<std::vector<Harmonics>> samples;  // in the order in which a table asks for them
+  const Index of_term = 6 * harmonics_, count = of_term * static_cast<Index>(times_.size());
+  Eigen::MatrixXd samples(count, static_cast<Index>(borders.size() - 1) * (panel_degree + 1));
+  Index next = 0;
   for (std::size_t panel = 0; panel + 1 < borders.size(); ++panel) {
     const double from = borders[panel], to = borders[panel + 1];
     const HankelTransform transform(directions, length, from, to);
-    for (int node = 0; node <= panel_degree; ++node)
-      samples.push_back(transform(from + 0.5 * (to - from) * (1 + std::cos(M_PI * (node + 0.5) / (panel_degree + 1)))));
+    for (const double t : chebyshev_fit(panel_degree + 1).nodes) {
+      const std::vector<Harmonics> at = transform(from + 0.5 * (to - from) * (1 + t));
+      for (Index m = 0; m < static_cast<Index>(at.size()); ++m)
+        samples.col(next).segment(m * of_term, of_term) = at[static_cast<std::size_t>(m)].reshaped();
+      ++next;
+    }
   }
 
   const double end = borders.back();
   scales_ = {length, end * length, rigid};
   std::vector<double> distances;
   for (const double border : borders) distances.push_back(border * length);
-  struct Correction {
-    RadialHarmonics within;
-    Harmonics beyond, tail;  // times r; what is left at the end
-  };
-  std::vector<Correction> corrections;
-  for (std::size_t m = 0; m < terms_.size(); ++m) {
-    std::size_t next = 0;
-    RadialHarmonics within(borders, harmonics_, [&] { return samples[next++][m]; });
-    const Harmonics beyond = base[m] - deep[m];
-    Harmonics tail = within(end) - beyond / end;
-    if (rigid) tail.setZero();
-    terms_[m].tail = tail / length;
-    corrections.push_back({std::move(within), beyond, tail});
+  RadialFunctions within(borders, samples);
+  const Eigen::VectorXd at_end = within(end);
+  std::vector<Harmonics> beyond, tails;  // times r; what is left at the end
+  for (std::size_t m = 0; m < times_.size(); ++m) {
+    beyond.push_back(base[m] - deep[m]);
+    tails.push_back(Eigen::Map<const Harmonics>(&at_end(static_cast<Index>(m) * of_term), 6, harmonics_) -
+                    beyond[m] / end);
+    if (rigid) tails[m].setZero();
   }
-  const auto value = [=, corrections = std::move(corrections)](double x, double y) {
+  tail_ = TermSums(tails);
+  const auto value = [=, harmonics = harmonics_, within = std::move(within)](double x, double y) {
     require_time();
     const double r = std::sqrt(x * x + y * y) / length;
-    Eigen::VectorXd values(6 * static_cast<Index>(corrections.size()));
-    for (std::size_t m = 0; m < corrections.size(); ++m) {
-      const auto& [within, beyond, tail] = corrections[m];
-      const Harmonics at = r < end ? within(r) : Harmonics(beyond / r + tail_at(tail, end / r));
-      values.segment<6>(6 * static_cast<Index>(m)) = harmonic_sum(at, x, y) / length;
+    const Harmonics waves = direction_waves(x, y, harmonics);
+    Eigen::VectorXd values(6 * static_cast<Index>(tails.size()));
+    if (r < end) {
+      const Eigen::VectorXd at = within(r);
+      for (Index m = 0; 6 * m < values.size(); ++m)
+        values.segment<6>(6 * m) = sum_of(Eigen::Map<const Harmonics>(&at(m * of_term), 6, harmonics), waves);
+    } else {
+      for (std::size_t m = 0; m < tails.size(); ++m)
+        values.segment<6>(6 * static_cast<Index>(m)) =
+            sum_of(beyond[m], waves) / r + sum_of(tails[m], falling(waves, end / r));
     }
-    return values;
+    return Eigen::VectorXd(values / length);
   };
   correction_ = std::make_unique<const PiecewiseField>(distances, panel_degree, value);
 }
 
-/// The responses of all terms to a cell along a row.
-class SpherePassage::RowResponse {
- public:
-  RowResponse(const SpherePassage& surface, double y, double cell_x, double cell_y)
-      : surface_(surface), y_(y), cell_x_(cell_x), cell_y_(cell_y), end_(0) {
-    const double below = y - 0.5 * cell_y, above = y + 0.5 * cell_y;
-    if (!surface.correction_ || above > surface.correction_->end()) return;
-    end_ = surface.correction_->end();
-    strip_ = surface.correction_->strip(below, above);
+/// To a cell, at places (x, y) along a row.
+SpherePassage::Responses SpherePassage::responses(const std::vector<double>& along, double y, double cell_x,
+                                                  double cell_y) const {
+  Responses responses(times_.size(), std::vector<Coefficients>(along.size(), Coefficients::Zero()));
+  const double below = y - 0.5 * cell_y, above = y + 0.5 * cell_y;
+  double end = 0;  // along x, of what the table of the correction serves [m]
+  PiecewiseField::Strip strip;
+  if (correction_ && above <= correction_->end()) {
+    end = correction_->end();
+    strip = correction_->strip(below, above);
   }
-
-  /// At x, for one term after the other.
-  template <class Take>
-  void operator()(double x, const Take& take) const {
-    const double distance = std::sqrt(x * x + y_ * y_), left = x - 0.5 * cell_x_, right = x + 0.5 * cell_x_;
-    const std::size_t count = surface_.terms_.size();
-    if (distance > surface_.scales_.reach()) {
-      for (std::size_t m = 0; m < count; ++m) take(m, Coefficients::Zero());
-      return;
-    }
-    const CellFunctions cell(x, y_, cell_x_, cell_y_, surface_.harmonics_);
-    if (!surface_.correction_) {
-      for (std::size_t m = 0; m < count; ++m) take(m, surface_.terms_[m].deep(cell));
-    } else if (right <= end_) {
-      const Eigen::ArrayXd corrections = strip_(left, right).array() / (cell_x_ * cell_y_);
-      for (std::size_t m = 0; m < count; ++m)
-        take(m, surface_.terms_[m].deep(cell) + corrections.segment<6>(6 * static_cast<Index>(m)));
-    } else {
-      const double share = surface_.scales_.extent / distance;
-      for (std::size_t m = 0; m < count; ++m)
-        take(m, surface_.terms_[m].base(cell) + harmonic_sum(tail_at(surface_.terms_[m].tail, share), x, y_));
+  std::array<Places, 2> deep, base;  // near and far
+  Places tail;
+  for (std::size_t i = 0; i < along.size(); ++i) {
+    require_time();
+    const double x = along[i], distance = std::sqrt(x * x + y * y), left = x - 0.5 * cell_x, right = x + 0.5 * cell_x;
+    if (distance > scales_.reach()) continue;
+    CellFunctions cell(x, y, cell_x, cell_y, harmonics_);
+    const bool served = right <= end;
+    (!correction_ || served ? deep : base)[cell.far].add(i, std::move(cell.values));
+    if (served) {
+      const Eigen::ArrayXd corrections = strip(left, right).array() / (cell_x * cell_y);
+      for (std::size_t m = 0; m < times_.size(); ++m)
+        responses[m][i] = corrections.segment<6>(6 * static_cast<Index>(m));
+    } else if (correction_) {
+      const double length = scales_.length;
+      tail.add(i, falling(direction_waves(x, y, harmonics_), scales_.extent / distance) / length);
     }
   }
-
- private:
-  const SpherePassage& surface_;
-  double y_, cell_x_, cell_y_, end_;  // distance along x up to which the strip goes [m]
-  PiecewiseField::Strip strip_;
-};
+  for (const bool far : {false, true}) {
+    deep_[far].add_to(responses, deep[far]);
+    base_[far].add_to(responses, base[far]);
+  }
+  tail_.add_to(responses, tail);
+  return responses;
+}
 
 InfluenceTable SpherePassage::table(double speed, double cell_x, double cell_y, int reach_x, int reach_y) const {
   const PassageQuadrature rules(scales_, cell_x, reach_x);
   std::vector<PassageQuadrature::Weights> weights;
-  for (const Term& term : terms_)
-    weights.push_back(term.time > 0 ? rules.weights(speed * term.time) : PassageQuadrature::Weights());
+  for (const double time : times_)
+    weights.push_back(time > 0 ? rules.weights(speed * time) : PassageQuadrature::Weights());
   InfluenceTable table(reach_x, reach_y);
-  std::vector<std::vector<Coefficients>> values(terms_.size());
   for (int row = 0; row <= reach_y; ++row) {
-    const RowResponse response(*this, row * cell_y, cell_x, cell_y);
-    for (auto& of_term : values) of_term.clear();
-    for (const double x : rules.distances(row)) {
-      require_time();
-      response(x, [&](std::size_t m, const Coefficients& value) { values[m].push_back(value); });
-    }
-    for (std::size_t m = 0; m < terms_.size(); ++m) {
+    Responses values = responses(rules.distances(row), row * cell_y, cell_x, cell_y);
+    for (std::size_t m = 0; m < times_.size(); ++m) {
       require_time();
       PassageQuadrature::under_load(values[m]);
-      if (terms_[m].time > 0)
+      if (times_[m] > 0)
         rules.add(table, row, 1, weights[m], values[m]);
       else
         rules.add(table, row, 1, values[m]);

@@ -1,6 +1,12 @@
 #include "core/numerics/recently_made.hpp"
 
+#include <atomic>
+#include <stdexcept>
+#include <thread>
+#include <vector>
+
 #include "core/influence/passage_kernel.hpp"
+#include "core/numerics/solution_limits.hpp"
 #include "tests/catch.hpp"
 
 using namespace rollres;
@@ -28,6 +34,54 @@ TEST_CASE("what was made is kept until it is forgotten, and lives on with who ho
   CHECK(square(3) != nine);
   CHECK(*nine == 9);
   CHECK(made == 5);
+}
+
+TEST_CASE("of threads that ask for the same one makes it, and the next does if that one fails",
+          "[core][recently_made]") {
+  static RecentlyMade<int, int, 2> doubles;
+  std::atomic<int> begun = 0, asking = 0;
+  const auto make = [&] {
+    // Until all ask, so that none finds it made.
+    while (asking < 4) std::this_thread::yield();
+    if (++begun == 1) throw std::runtime_error("the first one fails");
+    return 14;
+  };
+  std::atomic<int> answers = 0, failures = 0;
+  std::vector<std::thread> threads;
+  for (int i = 0; i < 4; ++i)
+    threads.emplace_back([&] {
+      ++asking;
+      try {
+        answers += *doubles(7, make) == 14;
+      } catch (const std::runtime_error&) {
+        ++failures;
+      }
+    });
+  for (std::thread& thread : threads) thread.join();
+  CHECK(failures == 1);
+  CHECK(answers == 3);
+  CHECK(begun == 2);
+}
+
+TEST_CASE("who waits for what another thread makes ends when asked to", "[core][recently_made]") {
+  static RecentlyMade<int, int, 2> slow;
+  std::atomic<bool> begun = false, end = false;
+  std::thread maker([&] {
+    slow(1, [&] {
+      begun = true;
+      while (!end) std::this_thread::yield();
+      return 1;
+    });
+  });
+  while (!begun) std::this_thread::yield();
+  {
+    const Interruptible stop([] { return true; });
+    const SolutionLimits limits(1e9);
+    CHECK_THROWS_AS(slow(1, [] { return 2; }), Interrupted);
+  }
+  end = true;
+  maker.join();
+  CHECK(*slow(1, [] { return 2; }) == 1);
 }
 
 TEST_CASE("a kernel of more rows serves fewer, one of other columns does not, and all are forgotten together",
