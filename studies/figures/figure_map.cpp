@@ -40,12 +40,12 @@ PlaneField blurred_zones(const SurfaceFields& fields, const ShownNodes& nodes, c
   return field;
 }
 
+}  // namespace
+
 std::vector<ContourLoop> zone_loops(const SurfaceFields& fields, const MapView& view, bool stick_only) {
   const ShownNodes nodes = view.nodes(fields.grid, most_outline_nodes);
   return contour_loops(blurred_zones(fields, nodes, view, stick_only), std::array{0.5}, 0.0);
 }
-
-}  // namespace
 
 ScaledUnit figure_unit(std::string_view unit, double size) { return scaled_unit(unit, 10 * size); }
 
@@ -73,6 +73,22 @@ MapView::MapView(const FigureSource& source, double room) : MapView(source) {
   const double around = room * 0.5 * (s.leading_edge - s.trailing_edge);
   x = {(s.trailing_edge - around) / length.factor, (s.leading_edge + around) / length.factor};
   y = {-(s.half_width + around) / length.factor, (s.half_width + around) / length.factor};
+}
+
+MapView::MapView(const SurfaceFields& fields) {
+  const SurfaceGrid& grid = fields.grid;
+  Span along, across;  // [m]
+  for (int row = 0; row < grid.rows; ++row)
+    for (int column = 0; column < grid.columns; ++column) {
+      if (fields.zone[static_cast<std::size_t>(grid.index(column, row))] == Zone::free) continue;
+      along.include(grid.x(column));
+      across.include(grid.y(row));
+      if (grid.x(column) == along.lowest) trailing_column_ = column;
+    }
+  length = scaled_unit("m", std::max({std::abs(along.lowest), std::abs(along.highest), std::abs(across.highest)}));
+  const double half_x = 0.5 * grid.spacing_x, half_y = 0.5 * grid.spacing_y;
+  x = {(along.lowest - half_x) / length.factor, (along.highest + half_x) / length.factor};
+  y = {(across.lowest - half_y) / length.factor, (across.highest + half_y) / length.factor};
 }
 
 ShownNodes MapView::nodes(const SurfaceGrid& grid, int most) const {

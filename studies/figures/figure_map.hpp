@@ -29,6 +29,8 @@ class MapView {
   explicit MapView(const FigureSource& source);
   /// The contact and `room` times its half-length around it.
   MapView(const FigureSource& source, double room);
+  /// The contact alone, to the outer borders of its cells; it has a node at least.
+  explicit MapView(const SurfaceFields& fields);
 
   /// Whether a place, in units of the axes, is inside.
   bool holds(double at_x, double at_y) const {
@@ -48,6 +50,9 @@ double largest(const std::vector<double>& values);
 /// A field of the window at some of its nodes, divided by its unit.
 PlaneField plane_field(const SurfaceGrid& grid, const ShownNodes& nodes, const MapView& view,
                        const std::vector<double>& values, double unit);
+
+/// Outlines of the contact, or of what sticks of it, without the steps of the cells.
+std::vector<ContourLoop> zone_loops(const SurfaceFields& fields, const MapView& view, bool stick_only);
 
 /// A map in the making.
 class FigureMap : public PictureBuilder {

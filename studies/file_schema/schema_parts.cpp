@@ -103,7 +103,7 @@ Json reference(const std::string& name) { return {{"$ref", "#/definitions/" + na
 
 Json common_definitions() {
   const Json text{{"type", "string"},
-                  {"pattern", R"(^[+-]?([0-9]+\.?[0-9]*|\.[0-9]+)([eE][+-]?[0-9]+)?\s*[^0-9\s.].*$)"}};
+                  {"pattern", R"(^[+-]?([0-9]+\.?[0-9]*|\.[0-9]+)([eE][+-]?[0-9]+)?(\s*[^0-9\s.]|\s+1/).*$)"}};
   return {{with_unit, text}};
 }
 

@@ -38,10 +38,10 @@ int run_program(std::vector<std::string> words, Session session);
 
 /// Each declares the words of one command on the program, and what it does.
 using AddCommand = void(Command& program, Session& session);
-AddCommand add_new, add_solve, add_draw, add_film, add_figures, add_material, add_gradient, add_sensitivity, add_plan,
-    add_sweep, add_scatter, add_serve, add_explore, add_optimise, add_fit, add_merge, add_status, add_slurm, add_export, add_import,
-    add_list, add_show, add_query, add_compare, add_chart, add_report, add_accuracy, add_stability, add_verify,
-    add_schema, add_quantities, add_manual, add_completion,
+AddCommand add_new, add_solve, add_draw, add_characteristic, add_film, add_figures, add_material, add_gradient,
+    add_sensitivity, add_plan, add_sweep, add_scatter, add_serve, add_explore, add_optimise, add_fit, add_merge,
+    add_status, add_slurm, add_export, add_import, add_list, add_show, add_query, add_compare, add_chart, add_report,
+    add_accuracy, add_stability, add_verify, add_schema, add_quantities, add_manual, add_completion,
     add_upkeep;  // rename, delete, note, prune
 
 }  // namespace rollres

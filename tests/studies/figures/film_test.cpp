@@ -11,7 +11,7 @@
 #include "tests/studies/temporary_directory.hpp"
 #include "tests/studies/vtk_numbers.hpp"
 
-// Covers command_film, too.
+// Covers command_stored_line, too.
 
 using namespace rollres;
 using Catch::Matchers::Contains;
