@@ -9,7 +9,6 @@
 #include "core/estimate/assumptions.hpp"
 #include "core/estimate/grid_choice.hpp"
 #include "core/heat/loss_estimate.hpp"
-#include "core/heat/loss_with_depth.hpp"
 #include "core/heat/steady_temperatures.hpp"
 #include "core/messages/message_text.hpp"
 #include "core/scene/warmed_layers.hpp"
@@ -21,9 +20,8 @@ namespace {
 /// A solution at one temperature, and the temperatures that it makes.
 struct IsothermalAnswer {
   RollingSolution solution;
-  HeatPath path;
-  double power, elsewhere;  // [W/m]
-  TemperatureProfile profile;
+  double power;  // [W/m]
+  WarmedDepth depth;
 };
 
 class HeatBalanceSolution {
@@ -35,7 +33,7 @@ class HeatBalanceSolution {
   RollingSolution run() {
     if (!depends_on_temperature(scene_)) {
       if (!balance_at(*scene_.ambient_temperature)) return std::move(failed_);
-      const double mean = answers_.begin()->second.profile.mean();
+      const double mean = answers_.begin()->second.depth.profile.mean();
       return finished(answers_.begin()->second, {{mean, true, 0}});
     }
     const std::vector<double> scanned = temperatures_to_scan(scene_);
@@ -71,14 +69,10 @@ class HeatBalanceSolution {
       return std::nullopt;
     }
     const ContactModel model = ContactModel(isothermal).with_answer(solution);
-    LossWithDepth lost = loss_with_depth(model, solution);
-    const HeatPath path = heat_path(scene_, solution.leading_edge - solution.trailing_edge);
-    const double power = solution.rolling_resistance * model.speed, elsewhere = lost.elsewhere;
-    TemperatureProfile profile(path, std::move(lost.panels), lost.at_face);
-    const double base = profile.mean_without_loss();
-    const HeatBalance balance{base, profile.mean() - base};
-    answers_.insert_or_assign(temperature,
-                              IsothermalAnswer{std::move(solution), path, power, elsewhere, std::move(profile)});
+    WarmedDepth depth = warmed_depth(scene_, model, solution);
+    const double power = solution.rolling_resistance * model.speed, base = depth.profile.mean_without_loss();
+    const HeatBalance balance{base, depth.profile.mean() - base};
+    answers_.insert_or_assign(temperature, IsothermalAnswer{std::move(solution), power, std::move(depth)});
     return balance;
   }
 
@@ -89,7 +83,7 @@ class HeatBalanceSolution {
 
   RollingSolution without_state(double last) {
     const IsothermalAnswer& there = answers_.at(last);
-    const double base = there.profile.mean_without_loss(), rise = there.profile.mean() - base;
+    const double base = there.depth.profile.mean_without_loss(), rise = there.depth.profile.mean() - base;
     const double leaving = there.power * (last - base) / rise;
     RollingSolution none;
     none.method = there.solution.method;
@@ -102,16 +96,16 @@ class HeatBalanceSolution {
 
   RollingSolution finished(IsothermalAnswer& answer, const std::vector<SteadyTemperature>& states) {
     RollingSolution solution = std::move(answer.solution);
-    const TemperatureProfile& profile = answer.profile;
+    const TemperatureProfile& profile = answer.depth.profile;
     solution.mean_temperature = states.front().temperature;
     solution.peak_temperature = profile.peak().temperature;
     solution.peak_temperature_depth = profile.peak().depth;
     solution.bond_temperature = profile.bond();
     solution.surface_temperature = profile.face();
     solution.heat_to_air = profile.to_air();
-    solution.heat_to_ground = profile.to_ground() + answer.elsewhere;
+    solution.heat_to_ground = profile.to_ground() + answer.depth.lost.elsewhere;
     solution.heat_to_core = profile.to_core();
-    const HeatNumbers numbers = heat_numbers(scene_, answer.path);
+    const HeatNumbers numbers = heat_numbers(scene_, answer.depth.path);
     solution.warming_time = numbers.warming_time;
     solution.peclet = numbers.peclet;
     solution.fourier = numbers.fourier;
@@ -169,6 +163,13 @@ class HeatBalanceSolution {
 };
 
 }  // namespace
+
+WarmedDepth warmed_depth(const RollingScene& scene, const ContactModel& solved, const RollingSolution& solution) {
+  const HeatPath path = heat_path(scene, solution.leading_edge - solution.trailing_edge);
+  LossWithDepth lost = loss_with_depth(solved, solution);
+  TemperatureProfile profile(path, lost.panels, lost.at_face);
+  return {path, std::move(lost), std::move(profile)};
+}
 
 RollingSolution solve_with_heat(const RollingScene& scene,
                                 const std::function<RollingSolution(const RollingScene&)>& solve_isothermal) {

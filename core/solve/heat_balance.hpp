@@ -10,10 +10,20 @@
 
 #include <functional>
 
+#include "core/heat/loss_with_depth.hpp"
 #include "core/scene/scene.hpp"
 #include "core/scene/solution.hpp"
 
 namespace rollres {
+
+/// What an answer loses with depth, and how warm that makes the layers; per metre of a cylinder's length.
+struct WarmedDepth {
+  HeatPath path;
+  LossWithDepth lost;
+  TemperatureProfile profile;
+};
+/// @param scene obeys `check`, with heat   @param solved with what its answer decided   @param solution per metre
+WarmedDepth warmed_depth(const RollingScene& scene, const ContactModel& solved, const RollingSolution& solution);
 
 /// @param scene obeys `check`, with heat
 /// @param solve_isothermal  of a scene without heat, per metre of a cylinder's length

@@ -15,7 +15,7 @@ namespace {
 
 constexpr int cylinder = 2, sphere = 3;
 
-constexpr std::array<Figure, 15> figures{{
+constexpr std::array<Figure, 16> figures{{
     {3, "displacements", cylinder, false, "Displacements of the layer's surface", displacement_lines},
     {4, "tractions", cylinder, false, "Tractions on the layer", traction_lines},
     {5, "zones", sphere, false, "Stick and slip", zone_map},
@@ -31,6 +31,8 @@ constexpr std::array<Figure, 15> figures{{
     {15, "velocity", sphere, false, "Velocity of the layer's surface", velocity_arrows},
     {16, "shear_strain", {}, false, "Shear strain inside the layers", section_map},
     {17, "loss_density", {}, false, "Power lost inside the layers, per volume", section_map},
+    {18, "temperature", cylinder, false, "Temperature through the warmed layers, and what warms them",
+     temperature_lines},
 }};
 
 /// The paper's last figure; what follows is ours.
@@ -46,7 +48,7 @@ const Figure& figure_named(const std::string& wish) {
     names.push_back(figure.name);
   }
   if (is_number) names.clear();
-  throw std::invalid_argument(unknown("--figure = " + wish + ": no such figure", names, wish, "there are 3 to 17"));
+  throw std::invalid_argument(unknown("--figure = " + wish + ": no such figure", names, wish, "there are 3 to 18"));
 }
 
 /// Why a scene has no such figure; empty if it has.
@@ -55,6 +57,7 @@ std::string hindrance(const Figure& figure, const RollingScene& scene) {
     return std::string("a figure of a ") + (*figure.dimension == cylinder ? "cylinder" : "sphere or roller") +
            ", and indenter = " + std::string(name_of(scene.indenter));
   if (figure.of_friction && scene.friction_coefficient == 0) return "friction_coefficient = 0 leaves it empty";
+  if (figure.draw == temperature_lines && scene.heat == Heat::off) return "heat = off: its layers are not warmed";
   return figure.number > last_of_paper ? why_no_interior(scene) : "";
 }
 

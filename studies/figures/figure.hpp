@@ -1,7 +1,7 @@
 #pragma once
 
-/// The figures of a solution: those of Zehil and Gavin (2013), 3 and 4 for a cylinder, 5 to 15 for a sphere, and two of
-/// the inside of a cylinder's layers, drawn by gnuplot as SVG and PNG. The script and the data stay beside each
+/// The figures of a solution: those of Zehil and Gavin (2013), 3 and 4 for a cylinder, 5 to 15 for a sphere, and three of
+/// the inside of the layers, drawn by gnuplot as SVG and PNG. The script and the data stay beside each
 /// picture.
 
 #include "core/newton/surface_window.hpp"

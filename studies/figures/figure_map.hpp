@@ -112,4 +112,7 @@ PictureText velocity_arrows(const Figure& figure, const FigureSource& source, co
 /// layers.
 PictureText section_map(const Figure& figure, const FigureSource& source, const ChartFiles& files);
 
+/// Figure 18, not the paper's: the steady temperature and the power lost with the depth below the face.
+PictureText temperature_lines(const Figure& figure, const FigureSource& source, const ChartFiles& files);
+
 }  // namespace rollres

@@ -19,12 +19,14 @@ namespace rollres {
 namespace {
 
 /// Short lists in full, of longer ones the ends.
-std::string list_text(const std::vector<double>& values, std::string_view unit) {
+std::string list_text(const Quantity& quantity, const std::vector<double>& values, std::string_view unit) {
+  Quantity one = quantity;
+  if (one.key.ends_with("temperatures")) one.key.remove_suffix(1);
+  const auto text = [&](double value) { return readable(one, value, unit); };
   constexpr std::size_t most = 6;
   if (values.size() > most)
-    return std::to_string(values.size()) + " values, " + readable(values.front(), unit) + " ... " +
-           readable(values.back(), unit);
-  return joined(values, ", ", [&](double value) { return readable(value, unit); });
+    return std::to_string(values.size()) + " values, " + text(values.front()) + " ... " + text(values.back());
+  return joined(values, ", ", text);
 }
 
 template <class Value>
@@ -38,7 +40,7 @@ std::string value_text(const Quantity& quantity, const Value& value, std::string
   else if constexpr (std::is_integral_v<Value>)
     return std::to_string(value);
   else if constexpr (std::is_same_v<Value, std::vector<double>>)
-    return list_text(value, unit);
+    return list_text(quantity, value, unit);
   else
     return "";  // texts stand at the top, layers' inputs one by one
 }

@@ -30,7 +30,7 @@ ProgramRun guarded(const std::vector<std::string>& words) {
 
 void check_pictures(const std::filesystem::path& folder, const std::string& out, Indenter indenter) {
   for (const Figure& figure : all_figures()) {
-    if (figure.dimension != dimension_of(indenter)) continue;
+    if (figure.dimension != dimension_of(indenter) || figure.name == "temperature") continue;  // of warmed layers
     const std::string name = figure.file_name();
     CAPTURE(name);
     CHECK_THAT(out, Contains((folder / (name + ".svg")).string() + "\n"));

@@ -153,7 +153,7 @@ TEST_CASE("every command of the README, the guide and the recipes runs, and ever
   // What these commands drew is what the pages show.
   for (const char* name : {"speed_resistance", "conveyor_belt", "caster_wheel", "ball_on_mat", "paper_cylinder_sketch",
                            "figure_04_tractions", "skewed_idler_resistance", "crowned_wheel_force", "roller_shoulders_pressure",
-                           "warm_wheel", "pavement"}) {
+                           "warm_wheel", "pavement", "cooled_nip"}) {
     const std::string picture = std::string(name) + ".svg";
     INFO(picture << ": draw it anew by the command of the README, and copy it from out/ to studies/examples/");
     CHECK(difference_of_pictures(file_text(directory / "out" / picture), file_text(example(picture))) == "");

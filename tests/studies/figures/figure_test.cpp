@@ -8,7 +8,7 @@
 #include "tests/core/paper_scenes.hpp"
 #include "tests/studies/figure_blocks.hpp"
 
-// Covers figure_fields, figure_lines, figure_map, figure_nodes and figure_section, too.
+// Covers figure_fields, figure_lines, figure_map, figure_nodes, figure_section and figure_temperature, too.
 
 using namespace rollres;
 
@@ -258,7 +258,43 @@ TEST_CASE("a figure is asked for by number or name, and only where the scene has
   };
   CHECK(refused(paper_cylinder(), "6") == "--figure = 6: a figure of a sphere or roller, and indenter = cylinder");
   CHECK(refused(paper_sphere(), "sigmaz") == "--figure = sigmaz: no such figure; did you mean sigma_z?");
-  CHECK(refused(paper_sphere(), "18") == "--figure = 18: no such figure; there are 3 to 17");
+  CHECK(refused(paper_sphere(), "19") == "--figure = 19: no such figure; there are 3 to 18");
   CHECK(refused(frictionless(paper_sphere()), "tau_xz") ==
         "--figure = tau_xz: friction_coefficient = 0 leaves it empty");
+}
+
+TEST_CASE("figure 18: the temperature goes from the face to the bond, and the power lost is that of the resistance",
+          "[studies][figure]") {
+  RollingScene belt = paper_cylinder();
+  belt.spacing.reset();
+  CHECK_THROWS_WITH(figures_for(belt, {"temperature"}), Catch::Matchers::Contains("heat = off"));
+  belt.kinematics = Kinematics::consistent;
+  belt.friction_coefficient = 0;
+  belt.width = 0.5;
+  belt.heat = Heat::on;
+  belt.thermal_conductivity = 0.2;
+  belt.turn_length = 5;
+  belt.surface_heat_transfer = 15;
+  belt.core_heat_transfer = 10;
+  belt.ambient_temperature = 293.15;
+  const FigureSource source = source_of(belt);
+  const RollingSolution& s = source.solution;
+  REQUIRE(s.status == Status::converged);
+  const auto blocks = figure_blocks(temperature_lines(figure(18), source, no_files).data);
+  const FigureBlock& rows = blocks.at("temperature").front();  // depth [mm], T [degC]
+  CHECK(rows.front()[0] == 0);
+  CHECK(rows.back()[0] == Approx(1e3 * belt.layer_thickness));
+  CHECK(rows.front()[1] == Approx(s.surface_temperature - 273.15).epsilon(1e-4));
+  CHECK(rows.back()[1] == Approx(s.bond_temperature - 273.15).epsilon(1e-4));
+  double warmest = 0;
+  for (const auto& row : rows) warmest = std::max(warmest, row[1]);
+  CHECK(std::abs(warmest - (s.peak_temperature - 273.15)) < 0.01 * (warmest - 20));
+  // depth [mm], power lost [its unit]; what the trapezia between the nodes of the rule lack is of some per cent.
+  const FigureBlock& lost = blocks.at("power lost").front();
+  double sum = 0;
+  for (std::size_t i = 1; i + 1 < lost.size(); ++i)
+    sum += 0.5 * (lost[i][0] - lost[i - 1][0]) * (lost[i][1] + lost[i - 1][1]);
+  const double power = s.rolling_resistance * belt.speed / (*belt.width * *belt.turn_length);  // [W/m2]
+  const double unit = power / (1e-3 * sum);
+  CHECK(std::pow(10, std::round(std::log10(unit))) == Approx(unit).epsilon(0.05));
 }
