@@ -12,7 +12,7 @@
 #include "core/numerics/memory_functions.hpp"
 #include "core/numerics/quadrature.hpp"
 #include "core/numerics/recently_made.hpp"
-#include "core/surface/deep_response.hpp"
+#include "core/surface/deep_medium.hpp"
 #include "core/surface/fourier_table.hpp"
 #include "core/surface/medium_expansion.hpp"
 #include "core/surface/ring_curvature.hpp"

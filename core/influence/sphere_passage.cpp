@@ -112,6 +112,24 @@ class RadialFunctions {
   std::vector<Eigen::MatrixXd> series_;  // of each panel: a row for each function
 };
 
+/// r K's symbols' harmonics of one term after the other, at the panels' nodes as RadialFunctions asks for them.
+Eigen::MatrixXd sampled(const DirectionalExpansion& directions, double length, const std::vector<double>& borders) {
+  const Index of_term = 6 * directions.harmonics();
+  Eigen::MatrixXd samples(of_term * directions.terms(), static_cast<Index>(borders.size() - 1) * (panel_degree + 1));
+  Index next = 0;
+  for (std::size_t panel = 0; panel + 1 < borders.size(); ++panel) {
+    const double from = borders[panel], to = borders[panel + 1];
+    const HankelTransform transform(directions, length, from, to);
+    for (const double t : chebyshev_fit(panel_degree + 1).nodes) {
+      const std::vector<Harmonics> at = transform(from + 0.5 * (to - from) * (1 + t));
+      for (std::size_t m = 0; m < at.size(); ++m)
+        samples.col(next).segment(static_cast<Index>(m) * of_term, of_term) = at[m].reshaped();
+      ++next;
+    }
+  }
+  return samples;
+}
+
 /// Distance over the length beyond which every term's surface is at rest (rigid base), or close to that of the base.
 double farthest_panel(const DirectionalExpansion& directions, const std::vector<Harmonics>& deep, double length,
                       double finite, bool rigid) {
@@ -198,25 +216,12 @@ SpherePassage::SpherePassage(const LayeredMedium& medium, double wave_speed) {
   require_memory(
       copies * 48.0 * harmonics_ * directions.terms() * static_cast<double>(borders.size()) * (panel_degree + 1),
       layers_response(directions.terms()));
-  const Index of_term = 6 * harmonics_, count = of_term * static_cast<Index>(times_.size());
-  Eigen::MatrixXd samples(count, static_cast<Index>(borders.size() - 1) * (panel_degree + 1));
-  Index next = 0;
-  for (std::size_t panel = 0; panel + 1 < borders.size(); ++panel) {
-    const double from = borders[panel], to = borders[panel + 1];
-    const HankelTransform transform(directions, length, from, to);
-    for (const double t : chebyshev_fit(panel_degree + 1).nodes) {
-      const std::vector<Harmonics> at = transform(from + 0.5 * (to - from) * (1 + t));
-      for (Index m = 0; m < static_cast<Index>(at.size()); ++m)
-        samples.col(next).segment(m * of_term, of_term) = at[static_cast<std::size_t>(m)].reshaped();
-      ++next;
-    }
-  }
-
   const double end = borders.back();
   scales_ = {length, end * length, rigid};
   std::vector<double> distances;
   for (const double border : borders) distances.push_back(border * length);
-  RadialFunctions within(borders, samples);
+  RadialFunctions within(borders, sampled(directions, length, borders));
+  const Index of_term = 6 * harmonics_;
   const Eigen::VectorXd at_end = within(end);
   std::vector<Harmonics> beyond, tails;  // times r; what is left at the end
   for (std::size_t m = 0; m < times_.size(); ++m) {

@@ -3,7 +3,6 @@
 /// The rules a scene must keep, and the method that it asks for.
 
 #include <string>
-#include <string_view>
 #include <vector>
 
 #include "core/model/contact_model.hpp"
@@ -21,10 +20,8 @@ void require_valid(const RollingScene& scene);
 /// The limits of a solution that the scene gives, or the usual ones, from now on.
 SolutionLimits limits_of(const RollingScene& scene);
 
-/// Why an output is absent from every answer to such a scene, as the approach of a cylinder on a half-space is; empty
-/// if it is not.
-std::string why_absent(const RollingScene& scene, std::string_view output);
-std::string why_absent(const ContactModel& model, std::string_view output);
+/// Whether the lowest layer is a half-space.
+bool on_half_space(const RollingScene& scene);
 
 /// Why the inside of the layers is not computed of a scene (core/interior): "not with a period"; empty if it is.
 std::string why_no_interior(const RollingScene& scene);

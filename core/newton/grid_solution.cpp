@@ -6,8 +6,8 @@
 
 #include "core/edge/contact_outline.hpp"
 #include "core/messages/message_text.hpp"
+#include "core/model/absent_outputs.hpp"
 #include "core/model/contact_surface.hpp"
-#include "core/model/scene_rules.hpp"
 #include "core/newton/contact_powers.hpp"
 
 namespace rollres {

@@ -12,6 +12,7 @@
 #include "core/material/master_curve.hpp"
 #include "core/material/material_scale.hpp"
 #include "core/messages/message_text.hpp"
+#include "core/model/absent_outputs.hpp"
 #include "core/model/scene_rules.hpp"
 #include "core/model/stated_error.hpp"
 #include "core/newton/grid_solution.hpp"

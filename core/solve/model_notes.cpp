@@ -7,9 +7,9 @@
 #include "core/influence/influence.hpp"
 #include "core/material/material.hpp"
 #include "core/messages/message_text.hpp"
+#include "core/model/absent_outputs.hpp"
 #include "core/model/contact_surface.hpp"
 #include "core/model/indenter_shape.hpp"
-#include "core/model/scene_rules.hpp"
 #include "core/newton/grid_solution.hpp"
 #include "core/surface/edge_peak.hpp"
 

@@ -14,17 +14,6 @@ namespace rollres {
 
 struct MediumLayer;
 
-/// One memory of a half-space in steady passage with inertia: k c_ww, k c_ll and k c_x are sums of compliances/(1 + s
-/// T), s = -i times the wavenumber along the motion.
-struct HalfSpaceTerm {
-  double length;               // T [m]; 0: at once
-  Eigen::Array3d compliances;  // [1/Pa]
-};
-
-/// The half-space of a layer's material, to 1e-11 of its compliances; none if waves are about as slow as the body, or
-/// times of creep coincide.
-std::vector<HalfSpaceTerm> half_space_terms(const MediumLayer& layer, double speed);
-
 /// 2 k c_ww/D, 2 k c_ll/D and k c_x/D of the half-space next to the contact, at s = -1/i of the wavenumbers along the
 /// motion, as sums of what they are at once and of retarded parts, (S28) and (S29). All of unit modulus [1].
 class DeepResponse {

@@ -17,9 +17,6 @@
 
 namespace rollres {
 
-/// The wanted relative error of a scene without a tolerance.
-constexpr double default_spectral_tolerance = 1e-8;
-
 /// The zones of an answer, where the search for those of much the same scene may begin.
 struct FoundZones {
   SlipPattern pattern;

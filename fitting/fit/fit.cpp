@@ -7,8 +7,8 @@
 #include <stdexcept>
 
 #include "fitting/errors/statistics.hpp"
-#include "fitting/fit/fit_starts.hpp"
 #include "fitting/fit/misfit_cause.hpp"
+#include "fitting/fit/rough_descents.hpp"
 
 namespace rollres {
 

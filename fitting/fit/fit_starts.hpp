@@ -1,10 +1,10 @@
 #pragma once
 
-/// Where the descents of a fit begin, and the descents down to where the exact ones go on.
+/// Where the descents of a fit begin.
 ///
 /// Points to begin with are the given start, what closed forms suggest, and a Latin hypercube around these, or over the
 /// usual values of a quantity. The closed form where there is one, then a few of the data tell which are worth a
-/// descent; descents use these few data before all.
+/// descent.
 
 #include <vector>
 
@@ -13,22 +13,18 @@
 
 namespace rollres {
 
+/// Rows that a descent from afar can do with: few, spread over the table without a period that it could share, and all
+/// that was known before; none where all are not many more.
+std::vector<std::size_t> few_rows(const FitProblem& problem);
+
+/// Whether all parameters of two points are nearer than a distance, scaled.
+bool beside(const FitProblem& problem, const FitPoint& a, const FitPoint& b, double distance);
+
 /// The problem of a few rows that a descent from afar can do with, or the whole where it has few.
 FitProblem small_problem(const FitProblem& problem);
 
 /// Points to descend from, the most promising first, no two within a factor of 2 of each other in all parameters;
 /// options.starts of them at most, the given one among them where it has an answer.
 std::vector<FitPoint> starts_of(const FitProblem& problem, const FitOptions& options);
-
-/// A descent that will be gone on with: in logarithms of what is positive; first by a few rows; by slopes that cost
-/// half as much, evaluated only where secants are not good enough; and no farther than they are worth.
-Descent rough_descent(const FitProblem& problem, const FitPoint& start, const FitOptions& options);
-
-/// Rough descents from all starts. Those that end where another did are not followed further, nor those that end far
-/// above it. Where the first ends at a place that no longer feels one of the parameters, others begin there with usual
-/// values of that one; so for one that saturates, unless two agree on it. Rows without an answer where the best by a few rows ended join
-/// the few, and all begins anew. Where it explains the data and leaves a direction of several parameters free, it is
-/// the last.
-std::vector<Descent> rough_descents(const FitProblem& problem, const FitOptions& options);
 
 }  // namespace rollres

@@ -9,6 +9,7 @@
 #include "core/messages/message_text.hpp"
 #include "fitting/fit/fit_starts.hpp"
 #include "fitting/fit/measured_terms.hpp"
+#include "fitting/fit/rough_descents.hpp"
 
 namespace rollres {
 

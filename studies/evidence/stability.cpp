@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "core/messages/message_text.hpp"
+#include "core/model/absent_outputs.hpp"
 #include "core/model/scene_rules.hpp"
 #include "studies/evidence/power_law.hpp"
 #include "studies/scene_io/cells.hpp"

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "core/estimate/grid_choice.hpp"
+#include "core/model/absent_outputs.hpp"
 #include "core/model/scene_rules.hpp"
 #include "studies/relations/relation_kinds.hpp"
 

@@ -3,6 +3,7 @@
 #include <array>
 #include <cmath>
 
+#include "core/model/absent_outputs.hpp"
 #include "core/model/scene_rules.hpp"
 #include "core/scene/scene_input.hpp"
 

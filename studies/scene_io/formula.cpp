@@ -12,7 +12,7 @@
 #include <stdexcept>
 #include <type_traits>
 
-#include "core/model/scene_rules.hpp"
+#include "core/model/absent_outputs.hpp"
 #include "core/scene/scene_input.hpp"
 #include "studies/scene_io/dimension.hpp"
 #include "studies/scene_io/doubtful_number.hpp"

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "core/model/scene_rules.hpp"
+#include "core/model/absent_outputs.hpp"
 #include "db/rows/schema.hpp"
 #include "studies/scene_io/scene_overrides.hpp"
 #include "studies/study/study_axes.hpp"

@@ -1,4 +1,5 @@
 #include "core/surface/deep_response.hpp"
+#include "core/surface/deep_medium.hpp"
 
 #include <cmath>
 

@@ -1,5 +1,6 @@
 // Covers spectral_problem, spectral_system, spectral_sources, spectral_memory, spectral_field, added_slopes,
-// surface_panels, spectral_solution, spectral_friction_limit too.
+// surface_panels, spectral_solution, spectral_friction_limit,
+// pattern_refinement, spectral_accuracy and spectral_work, too.
 
 #include "core/zones/spectral_contact.hpp"
 

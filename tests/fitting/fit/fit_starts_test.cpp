@@ -10,7 +10,7 @@
 #include "tests/catch.hpp"
 #include "tests/fitting/measured_hunter.hpp"
 
-// Covers nearest_answer, measured_terms, scene_model and misfit_cause, too.
+// Covers nearest_answer, measured_terms, rough_descents, scene_model and misfit_cause, too.
 
 using namespace rollres;
 
