@@ -164,62 +164,65 @@ ContactUnknowns NewtonSystem::unpack(const Vector& x, const LawRows<double>& row
   return unknowns;
 }
 
+/// What a unit of one component of the traction at a node of the contact does at all of them.
+ScaledResponse<double> NewtonSystem::response_to(const InfluenceTable& table, const LawRows<double>& rows,
+                                                 Eigen::Index component, Eigen::Index source) const {
+  using enum Direction;
+  const Eigen::Index n = rows.contacts(), components = rows.components();
+  const SurfaceGrid& grid = problem_.grid;
+  const double per_normal = 1 / influence_.self_normal();
+  const double per_slip = 1 / (influence_.self_slip() * grid.spacing_x);
+  const Direction force = component == 0 ? w : component == 1 ? u : v;
+  const double strength = (component == 0 ? -1 : 1) * grid.cell_area();  // pressure pushes down
+  const double parity = component == 2 ? -1 : 1;                         // of the mirror image at y < 0
+  const int source_column = static_cast<int>(source % grid.columns);
+  const int source_row = static_cast<int>(source / grid.columns);
+  const bool image = problem_.images(source) > 1;
+  const auto moved = [&](Direction displacement, int column, int row) {
+    double value = table(displacement, force, column - source_column, row - source_row);
+    if (image) value += parity * table(displacement, force, column - source_column, row + source_row);
+    return strength * value;
+  };
+  ScaledResponse<double> response{Vector::Zero(n), Vector::Zero(n), Vector::Zero(n)};
+  for (Eigen::Index i = 0; i < n; ++i) {
+    const Eigen::Index node = laws_.contact[static_cast<std::size_t>(i)];
+    const int column = static_cast<int>(node % grid.columns), row = static_cast<int>(node / grid.columns);
+    const auto slip = [&](Direction along) {
+      return (moved(along, column + 1, row) - moved(along, column, row)) * per_slip;
+    };
+    // On a line shear along the axle and all else do not know of each other.
+    const bool in_plane = problem_.plane || component < 2, across = problem_.plane || component == 2;
+    response.w(i) = in_plane ? moved(w, column, row) * per_normal : 0;
+    if (components > 1) response.slip_x(i) = in_plane ? slip(u) : 0;
+    if (components > 2) response.slip_y(i) = across ? slip(v) : 0;
+  }
+  if (component == 0 || !problem_.edge.curve().known()) return response;
+  Vector along = Vector::Zero(grid.size()), aside = along, of_edge_x = along, of_edge_y = along;
+  (component == 1 ? along : aside)(source) = 1 / influence_.self_slip();
+  problem_.edge.add(along, aside, of_edge_x, of_edge_y);
+  for (Eigen::Index i = 0; i < n; ++i) {
+    const Eigen::Index node = laws_.contact[static_cast<std::size_t>(i)];
+    response.slip_x(i) += of_edge_x(node);
+    response.slip_y(i) += of_edge_y(node);
+  }
+  return response;
+}
+
 LinearStep NewtonSystem::solve_dense(const InfluenceTable& table, const LawResiduals& residuals) const {
   const LawRows<double> rows(problem_, laws_);
   const Eigen::Index n = rows.contacts(), size = rows.unknowns(), components = rows.components();
-  const SurfaceGrid& grid = problem_.grid;
-  const double area = grid.cell_area();
-  const double per_normal = 1 / influence_.self_normal();
-  const double per_slip = 1 / (influence_.self_slip() * grid.spacing_x);
   require_factorisation(static_cast<double>(size),
-                        message_text("a factorisation for ", n, " nodes of ", grid.spacing_x, " m"));
+                        message_text("a factorisation for ", n, " nodes of ", problem_.grid.spacing_x, " m"));
   Eigen::MatrixXd matrix(size, size);
-  ScaledResponse<double> response{Vector::Zero(n), Vector::Zero(n), Vector::Zero(n)};
-
-  using enum Direction;
-  for (Eigen::Index component = 0; component < components; ++component) {
-    const Direction force = component == 0 ? w : component == 1 ? u : v;
-    const double strength = component == 0 ? -area : area;  // pressure pushes down
-    const double parity = component == 2 ? -1 : 1;          // of the mirror image at y < 0
+  for (Eigen::Index component = 0; component < components; ++component)
     for (Eigen::Index j = 0; j < n; ++j) {
       require_time();
-      const Eigen::Index source = laws_.contact[static_cast<std::size_t>(j)];
-      const int source_column = static_cast<int>(source % grid.columns);
-      const int source_row = static_cast<int>(source / grid.columns);
-      const bool image = problem_.images(source) > 1;
-      const auto moved = [&](Direction displacement, int column, int row) {
-        double value = table(displacement, force, column - source_column, row - source_row);
-        if (image) value += parity * table(displacement, force, column - source_column, row + source_row);
-        return strength * value;
-      };
-      for (Eigen::Index i = 0; i < n; ++i) {
-        const Eigen::Index node = laws_.contact[static_cast<std::size_t>(i)];
-        const int column = static_cast<int>(node % grid.columns), row = static_cast<int>(node / grid.columns);
-        const auto slip = [&](Direction along) {
-          return (moved(along, column + 1, row) - moved(along, column, row)) * per_slip;
-        };
-        // On a line shear along the axle and all else do not know of each other.
-        const bool in_plane = problem_.plane || component < 2, across = problem_.plane || component == 2;
-        response.w(i) = in_plane ? moved(w, column, row) * per_normal : 0;
-        if (components > 1) response.slip_x(i) = in_plane ? slip(u) : 0;
-        if (components > 2) response.slip_y(i) = across ? slip(v) : 0;
-      }
-      if (component > 0 && problem_.edge.curve().known()) {
-        Vector along = Vector::Zero(grid.size()), aside = along, of_edge_x = along, of_edge_y = along;
-        (component == 1 ? along : aside)(source) = 1 / influence_.self_slip();
-        problem_.edge.add(along, aside, of_edge_x, of_edge_y);
-        for (Eigen::Index i = 0; i < n; ++i) {
-          const Eigen::Index node = laws_.contact[static_cast<std::size_t>(i)];
-          response.slip_x(i) += of_edge_x(node);
-          response.slip_y(i) += of_edge_y(node);
-        }
-      }
-      matrix.col(component * n + j) = rows(Vector::Unit(size, component * n + j), response);
+      const Eigen::Index column = component * n + j, source = laws_.contact[static_cast<std::size_t>(j)];
+      matrix.col(column) = rows(Vector::Unit(size, column), response_to(table, rows, component, source));
     }
-  }
   // Columns of d and omega.
-  for (Vector* field : {&response.w, &response.slip_x, &response.slip_y}) field->setZero();
-  for (Eigen::Index b = components * n; b < size; ++b) matrix.col(b) = rows(Vector::Unit(size, b), response);
+  const ScaledResponse<double> nothing{Vector::Zero(n), Vector::Zero(n), Vector::Zero(n)};
+  for (Eigen::Index b = components * n; b < size; ++b) matrix.col(b) = rows(Vector::Unit(size, b), nothing);
   LinearStep result;
   const Vector x = SquareSystem(matrix).solve(pack(residuals, rows));
   result.solved = x.allFinite();

@@ -46,6 +46,8 @@ class NewtonSystem {
   LinearStep solve_krylov(const LawResiduals& residuals, double tolerance, int most_iterations) const;
 
  private:
+  ScaledResponse<double> response_to(const InfluenceTable& table, const LawRows<double>& rows, Eigen::Index component,
+                                     Eigen::Index source) const;
   ContactUnknowns unpack(const Vector& x, const LawRows<double>& rows) const;
   Vector apply(const Vector& x, const LawRows<double>& rows) const;
 

@@ -42,6 +42,36 @@ void warn_of_peaks(const RollingSolution& solution, std::vector<std::string>& wa
   warn("peak_shear_x", solution.peak_shear_x, solution.fields.shear_x);
 }
 
+/// What a tolerance leaves to choose, and why nothing more is left out.
+std::string choices_in_words(const ContactModel& model, const RollingSolution& solution) {
+  const bool sphere = model.dimension == 3;
+  std::string text;
+  if (solution.method == Method::spectral)
+    text += message_text("; ", solution.contact_nodes, " coefficients of the pressure for an error below ",
+                         *model.tolerance);
+  else if (!on_grid(solution.method))
+    text +=
+        message_text("; ", solution.contact_nodes, " nodes of a mesh in contact for an error below ", *model.tolerance);
+  else if (sphere)
+    text += message_text("; ", solution.contact_nodes, " nodes in contact, ",
+                         std::lround(2 * half_length(solution) / solution.spacing), " along it, for an error below ",
+                         *model.tolerance);
+  else
+    text += message_text("; ", solution.contact_nodes, " nodes in contact for an error below ", *model.tolerance);
+  if (std::isfinite(total_thickness(model)))
+    text += message_text(
+        "; the finite thickness H is computed, because a half-space would not be faster: half-length "
+        "of the contact over H = ",
+        half_length(solution) / total_thickness(model));
+  else if (!sphere && model.friction_coefficient == 0 && model.top().material == MaterialModel::zener)
+    text += "; closed form of the half-space (Hunter) not used: of a parabola, and without fields";
+  if (model.friction_coefficient > 0)
+    text += message_text("; friction and its coupling with the pressure are computed: friction takes ",
+                         std::abs(solution.frictional_loss / (solution.rolling_resistance * model.speed)),
+                         " of R_r, and it limits the drive");
+  return text;
+}
+
 }  // namespace
 
 std::string unanswered_inertia(const ContactModel& model) {
@@ -163,33 +193,7 @@ std::string model_of(const ContactModel& model, const RollingSolution& solution)
   if (gridded && !model.spacing && sphere && !model.loaded && solution.method != Method::active_set)
     text += "; grid tied to the contact";
   text += model.period ? message_text("; periodic train, L = ", *model.period, " m") : "; single passage, no period";
-  if (!model.tolerance) return text;
-
-  // What a tolerance leaves to choose, and why nothing more is left out.
-  if (spectral)
-    text += message_text("; ", solution.contact_nodes, " coefficients of the pressure for an error below ",
-                         *model.tolerance);
-  else if (!gridded)
-    text +=
-        message_text("; ", solution.contact_nodes, " nodes of a mesh in contact for an error below ", *model.tolerance);
-  else if (sphere)
-    text += message_text("; ", solution.contact_nodes, " nodes in contact, ",
-                         std::lround(2 * half_length(solution) / solution.spacing), " along it, for an error below ",
-                         *model.tolerance);
-  else
-    text += message_text("; ", solution.contact_nodes, " nodes in contact for an error below ", *model.tolerance);
-  if (std::isfinite(total_thickness(model)))
-    text += message_text(
-        "; the finite thickness H is computed, because a half-space would not be faster: half-length "
-        "of the contact over H = ",
-        half_length(solution) / total_thickness(model));
-  else if (!sphere && model.friction_coefficient == 0 && model.top().material == MaterialModel::zener)
-    text += "; closed form of the half-space (Hunter) not used: of a parabola, and without fields";
-  if (model.friction_coefficient > 0)
-    text += message_text("; friction and its coupling with the pressure are computed: friction takes ",
-                         std::abs(solution.frictional_loss / (solution.rolling_resistance * model.speed)),
-                         " of R_r, and it limits the drive");
-  return text;
+  return model.tolerance ? text + choices_in_words(model, solution) : text;
 }
 
 }  // namespace rollres

@@ -78,23 +78,19 @@ std::optional<PatternStart> one_border_start(const SpectralProblem& problem, con
   return {};
 }
 
-std::optional<PatternStart> pattern_on_grid(const ContactModel& model, double spacing) {
-  ContactModel gridded = model;
-  gridded.tolerance.reset();
-  // What takes a grid long has zones that this method does not know.
-  GridSeries grids = fixed_grids(gridded, spacing);
-  grids.last_resort = false;
-  const NestedOutcome nested = solve_nested(gridded, grids);
-  if (nested.status != Status::converged) return {};
-  const ContactLevel& level = nested.finest;
+namespace {
+
+/// Neighbouring nodes of a grid that are in one zone, of slip in one direction.
+struct NodeRun {
+  Zone zone;
+  int direction;
+  double from, to;  // [m]
+};
+
+/// From the leading edge: slip (perhaps), stick (perhaps), slip.
+std::vector<NodeRun> node_runs(const ContactLevel& level, double spacing) {
   const SurfaceGrid& grid = level.problem->grid;
-  // From the leading edge: slip (perhaps), stick (perhaps), slip.
-  struct Run {
-    Zone zone;
-    int direction;
-    double from, to;
-  };
-  std::vector<Run> runs;
+  std::vector<NodeRun> runs;
   for (int i = grid.columns - 1; i >= 0; --i) {
     const Zone zone = level.outcome.zone[static_cast<std::size_t>(i)];
     if (zone == Zone::free) continue;
@@ -104,9 +100,12 @@ std::optional<PatternStart> pattern_on_grid(const ContactModel& model, double sp
       runs.push_back({zone, direction, x - 0.5 * spacing, x + 0.5 * spacing});
     runs.back().from = x - 0.5 * spacing;
   }
-  // Single nodes at the edges are artefacts of the grid: slip ahead of all stick, anything behind all slip.
-  const auto single = [&](const Run& run) { return run.to - run.from < 1.5 * spacing; };
-  if (runs.empty()) return {};
+  return runs;
+}
+
+/// Single nodes at the edges are artefacts of the grid: slip ahead of all stick, anything behind all slip.
+void drop_single_nodes(std::vector<NodeRun>& runs, double spacing) {
+  const auto single = [&](const NodeRun& run) { return run.to - run.from < 1.5 * spacing; };
   const double leading = runs.front().to, trailing = runs.back().from;
   if (runs.size() > 1 && runs.front().zone == Zone::slip && single(runs.front())) {
     runs.erase(runs.begin());
@@ -116,6 +115,22 @@ std::optional<PatternStart> pattern_on_grid(const ContactModel& model, double sp
     runs.pop_back();
     runs.back().from = trailing;
   }
+}
+
+}  // namespace
+
+std::optional<PatternStart> pattern_on_grid(const ContactModel& model, double spacing) {
+  ContactModel gridded = model;
+  gridded.tolerance.reset();
+  // What takes a grid long has zones that this method does not know.
+  GridSeries grids = fixed_grids(gridded, spacing);
+  grids.last_resort = false;
+  const NestedOutcome nested = solve_nested(gridded, grids);
+  if (nested.status != Status::converged) return {};
+  std::vector<NodeRun> runs = node_runs(nested.finest, spacing);
+  if (runs.empty()) return {};
+  const double leading = runs.front().to, trailing = runs.back().from;
+  drop_single_nodes(runs, spacing);
   std::reverse(runs.begin(), runs.end());
   PatternStart start;
   start.edges.contact = {trailing, leading};
