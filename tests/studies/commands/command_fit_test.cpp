@@ -1,6 +1,9 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include <sstream>
+
+#include "core/solve/rolling_contact.hpp"
 #include "db/rows/fit_store.hpp"
 #include "db/rows/schema.hpp"
 #include "studies/scene_io/scene_file.hpp"
@@ -314,4 +317,43 @@ TEST_CASE("a fit of scenes is compared with one whose inputs it leaves fixed", "
   CHECK(answer["likelihood_ratios"][0]["degrees"] == 1);
   CHECK(answer["likelihood_ratios"][0]["p_value"].get<double>() > 1e-3);  // stiffening 2 is true
   CHECK_THAT(answer["largest_difference"]["where"].get<std::string>(), Catch::Contains("table.csv, line "));
+}
+
+TEST_CASE("temperatures that were measured give the heat transfer to the air", "[studies][fit]") {
+  const auto by_core = [](const RollingScene& scene) { return solve(scene); };
+  const TemporaryDirectory folder;
+  const json belt{{"radius", 0.05},
+                  {"layer_thickness", 0.008},
+                  {"static_shear_modulus", 2e6},
+                  {"stiffening", 2},
+                  {"creep_time", 0.003},
+                  {"speed", 2},
+                  {"friction_coefficient", 0},
+                  {"heat", "on"},
+                  {"thermal_conductivity", 0.2},
+                  {"turn_length", "3 m"},
+                  {"ambient_temperature", "20 degC"},
+                  {"surface_heat_transfer", 15}};
+  std::ostringstream table;
+  table.precision(12);
+  table << "load [N/m],surface_temperature [K],sigma [K]\n";
+  for (const double load : {2e3, 5e3, 8e3, 1.2e4}) {
+    json one = belt;
+    one["load"] = load;
+    const RollingSolution s = solve(read_scene(folder.write("scene.json", one.dump()).string()));
+    REQUIRE(s.surface_temperature > 293.15 + 0.5);
+    table << load << ',' << s.surface_temperature << ",0.1\n";
+  }
+  folder.write("table.csv", table.str());
+  json scene = belt;
+  scene.erase("surface_heat_transfer");
+  const json fit{{"fit", "warm"},
+                 {"scene", scene},
+                 {"data", "table.csv"},
+                 {"output", "surface_temperature"},
+                 {"parameters", {{"surface_heat_transfer", {{"start", 40}}}}}};
+  const ProgramRun run = run_rollres({"fit", folder.write("fit.json", fit.dump()).string(), "--json"}, by_core);
+  INFO(run.err);
+  const json answer = json::parse(run.out);
+  CHECK(answer["parameters"][0]["value"].get<double>() == Approx(15).epsilon(1e-4));
 }
