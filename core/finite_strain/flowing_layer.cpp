@@ -118,98 +118,126 @@ bool FlowingLayer::evaluate(const Vector& displacements, const Eigen::Matrix3Xd&
   return whole;
 }
 
+/// What the points of one cell have by themselves.
+struct FlowingLayer::CellPoints {
+  std::array<Hyperelastic, 9> solid;
+  Eigen::Matrix<double, 4, 9> own;  // stress and pressure by unit modulus
+  std::array<Nodes, 9> slope_x, slope_z;
+};
+
+/// Stress with memory, and its derivatives by the points of the cell: A of (H6).
+struct FlowingLayer::RememberedStress {
+  Eigen::Matrix<double, 4, 9> total;
+  Matrix3d within, pressure_within;
+};
+
 bool FlowingLayer::evaluate_row(int r, const Vector& displacements, const Eigen::Matrix3Xd& pressures) {
   require_time();
-  const PointShapes& shapes = point_shapes();
   const FlowingMaterial& solid = material(r);
   // What flows in: mean stresses and pressure at the three lines of points, for each term.
   std::vector<Eigen::Matrix<double, 4, 3>> inflow(solid.terms.size(), Eigen::Matrix<double, 4, 3>::Zero());
-  bool whole = true;
+  CellPoints points;
   for (int e = 0; e < mesh_.cells_along(); ++e) {
-    Cell& at = cell(r, e);
-    at.length = mesh_.length(e);
-    at.height = mesh_.height(r);
-    const Eigen::Matrix<double, 18, 1> moved = gathered(displacements, r, e);
-    const Vector3d pressure = pressures.col(r * mesh_.cells_along() + e);
-    const double area = at.length * at.height;
-    for (std::size_t k = 0; k < 3; ++k)
-      at.shortening[k] = mesh_.shortening(mesh_.z[static_cast<std::size_t>(r)] - gauss_places[k] * at.height);
-    std::array<Hyperelastic, 9> solid_at;
-    Eigen::Matrix<double, 4, 9> own;  // stress and pressure by unit modulus
-    std::array<Nodes, 9> slope_x, slope_z;
-    at.lack = -area * pressure_masses.cwiseProduct(pressure) / solid.bulk_ratio;
-    for (std::size_t g = 0; g < 9; ++g) {
-      const auto i = static_cast<Eigen::Index>(g);
-      slope_x[g] = -shapes.along[g] / (at.length * at.shortening[g % 3]);
-      slope_z[g] = -shapes.down[g] / at.height;
-      const double place = mesh_.x[static_cast<std::size_t>(e)] - gauss_places[g / 3] * at.length;
-      at.gradient[g] = mesh_.frame(place) + gradient_of(moved, slope_x[g], slope_z[g]);
-      solid_at[g] = hyperelastic(at.gradient[g], solid.yeoh);
-      whole = whole && solid_at[g].volume > 0;
-      at.strain.middleRows<3>(3 * i) = strain_rows(at.gradient[g], slope_x[g], slope_z[g]);
-      at.own_stress.middleRows<3>(3 * i).noalias() = solid_at[g].tangent * at.strain.middleRows<3>(3 * i);
-      at.dilatation.segment<3>(3 * i) = solid_at[g].dilatation;
-      own.col(i) << solid_at[g].stress, shapes.pressure[g].dot(pressure);
-      at.lack += area * shapes.weight[g] * (solid_at[g].volume - 1) * shapes.pressure[g];
-    }
-    if (!whole) return false;
-
-    // Stress with memory, and its derivative by the points of this cell: A of (H6).
-    Eigen::Matrix<double, 4, 9> total = solid.modulus * own;
-    Matrix3d within = solid.modulus * Matrix3d::Identity();
-    for (std::size_t j = 0; j < solid.terms.size(); ++j) {
-      const CellMemory& past = memory(r, e, j);
-      const double modulus = solid.terms[j].modulus;
-      within -= modulus * past.weight;
-      for (int k = 0; k < 3; ++k) {
-        const auto line = [&](int i) { return own.col(3 * i + k); };
-        for (int i = 0; i < 3; ++i)
-          total.col(3 * i + k) -= modulus * (past.decay(i) * inflow[j].col(k) + past.weight(i, 0) * line(0) +
-                                             past.weight(i, 1) * line(1) + past.weight(i, 2) * line(2));
-        inflow[j].col(k) =
-            past.through * inflow[j].col(k) + past.out(0) * line(0) + past.out(1) * line(1) + past.out(2) * line(2);
-      }
-    }
-    const Matrix3d pressure_within = solid.bulk_relaxes ? within : Matrix3d(solid.modulus * Matrix3d::Identity());
-    if (!solid.bulk_relaxes) total.row(3) = solid.modulus * own.row(3);
-
-    Eigen::Matrix<double, 18, 1> force = Eigen::Matrix<double, 18, 1>::Zero();
-    at.local.setZero();
-    at.of_pressure.setZero();
-    at.volume.setZero();
-    for (int g = 0; g < 9; ++g) {
-      const auto point = static_cast<std::size_t>(g);
-      const int i = g / 3, k = g % 3;
-      const double measure = area * shapes.weight[point], weight = measure * at.shortening[point % 3];
-      const Vector3d v = solid_at[point].dilatation;
-      const Vector3d stress = total.col(g).head<3>() + total(3, g) * v;
-      const auto strain = at.strain.middleRows<3>(3 * g);
-      at.total.segment<3>(3 * g) = stress;
-      force.noalias() += weight * strain.transpose() * stress;
-      Eigen::Matrix<double, 3, 18> change = total(3, g) * solid_at[point].of_pressure * strain;
-      Vector3d of_pressure = Vector3d::Zero();
-      for (int n = 0; n < 3; ++n) {
-        if (within(i, n) != 0) change.noalias() += within(i, n) * at.own_stress.middleRows<3>(3 * (3 * n + k));
-        of_pressure += pressure_within(i, n) * shapes.pressure[static_cast<std::size_t>(3 * n + k)];
-      }
-      at.local.noalias() += weight * strain.transpose() * change;
-      const Eigen::Matrix<double, 18, 1> widened = strain.transpose() * v;
-      at.of_pressure.noalias() += weight * widened * of_pressure.transpose();
-      at.volume.noalias() += measure * shapes.pressure[point] * widened.transpose();
-      const Nodes &x = slope_x[point], &z = slope_z[point];
-      const Nodes along = stress(0) * x + stress(2) * z, down = stress(2) * x + stress(1) * z;
-      for (int n = 0; n < 9; ++n)
-        for (int m = 0; m < 9; ++m) {
-          const double geometric = weight * (x(m) * along(n) + z(m) * down(n));
-          at.local(2 * m, 2 * n) += geometric;
-          at.local(2 * m + 1, 2 * n + 1) += geometric;
-        }
-    }
-    const Vector3d compliance = solid.bulk_ratio / area * pressure_masses.cwiseInverse();
-    at.local.noalias() += at.of_pressure * compliance.asDiagonal() * at.volume;
-    scatter(force, r, e, forces_);
+    if (!deform(r, e, gathered(displacements, r, e), pressures.col(r * mesh_.cells_along() + e), points)) return false;
+    assemble(r, e, points, remembered(r, e, points, inflow));
   }
   return true;
+}
+
+/// Strains and stresses of the points of a cell. @return whether none of them is turned inside out
+bool FlowingLayer::deform(int r, int e, const Eigen::Matrix<double, 18, 1>& moved, const Vector3d& pressure,
+                          CellPoints& points) {
+  const PointShapes& shapes = point_shapes();
+  const FlowingMaterial& solid = material(r);
+  Cell& at = cell(r, e);
+  at.length = mesh_.length(e);
+  at.height = mesh_.height(r);
+  const double area = at.length * at.height;
+  for (std::size_t k = 0; k < 3; ++k)
+    at.shortening[k] = mesh_.shortening(mesh_.z[static_cast<std::size_t>(r)] - gauss_places[k] * at.height);
+  bool whole = true;
+  at.lack = -area * pressure_masses.cwiseProduct(pressure) / solid.bulk_ratio;
+  for (std::size_t g = 0; g < 9; ++g) {
+    const auto i = static_cast<Eigen::Index>(g);
+    points.slope_x[g] = -shapes.along[g] / (at.length * at.shortening[g % 3]);
+    points.slope_z[g] = -shapes.down[g] / at.height;
+    const double place = mesh_.x[static_cast<std::size_t>(e)] - gauss_places[g / 3] * at.length;
+    at.gradient[g] = mesh_.frame(place) + gradient_of(moved, points.slope_x[g], points.slope_z[g]);
+    const Hyperelastic& here = points.solid[g] = hyperelastic(at.gradient[g], solid.yeoh);
+    whole = whole && here.volume > 0;
+    at.strain.middleRows<3>(3 * i) = strain_rows(at.gradient[g], points.slope_x[g], points.slope_z[g]);
+    at.own_stress.middleRows<3>(3 * i).noalias() = here.tangent * at.strain.middleRows<3>(3 * i);
+    at.dilatation.segment<3>(3 * i) = here.dilatation;
+    points.own.col(i) << here.stress, shapes.pressure[g].dot(pressure);
+    at.lack += area * shapes.weight[g] * (here.volume - 1) * shapes.pressure[g];
+  }
+  return whole;
+}
+
+/// @param inflow  what flows into the cell; what flows out of it afterwards
+FlowingLayer::RememberedStress FlowingLayer::remembered(int r, int e, const CellPoints& points,
+                                                        std::vector<Eigen::Matrix<double, 4, 3>>& inflow) const {
+  const FlowingMaterial& solid = material(r);
+  RememberedStress stress{solid.modulus * points.own, solid.modulus * Matrix3d::Identity(), Matrix3d()};
+  for (std::size_t j = 0; j < solid.terms.size(); ++j) {
+    const CellMemory& past = memory(r, e, j);
+    const double modulus = solid.terms[j].modulus;
+    stress.within -= modulus * past.weight;
+    for (int k = 0; k < 3; ++k) {
+      const auto line = [&](int i) { return points.own.col(3 * i + k); };
+      for (int i = 0; i < 3; ++i)
+        stress.total.col(3 * i + k) -= modulus * (past.decay(i) * inflow[j].col(k) + past.weight(i, 0) * line(0) +
+                                                  past.weight(i, 1) * line(1) + past.weight(i, 2) * line(2));
+      inflow[j].col(k) =
+          past.through * inflow[j].col(k) + past.out(0) * line(0) + past.out(1) * line(1) + past.out(2) * line(2);
+    }
+  }
+  stress.pressure_within = solid.bulk_relaxes ? stress.within : Matrix3d(solid.modulus * Matrix3d::Identity());
+  if (!solid.bulk_relaxes) stress.total.row(3) = solid.modulus * points.own.row(3);
+  return stress;
+}
+
+/// Forces of a cell and their derivatives by its displacements and pressures.
+void FlowingLayer::assemble(int r, int e, const CellPoints& points, const RememberedStress& remembered) {
+  const PointShapes& shapes = point_shapes();
+  const auto& [total, within, pressure_within] = remembered;
+  Cell& at = cell(r, e);
+  const double area = at.length * at.height;
+  Eigen::Matrix<double, 18, 1> force = Eigen::Matrix<double, 18, 1>::Zero();
+  at.local.setZero();
+  at.of_pressure.setZero();
+  at.volume.setZero();
+  for (int g = 0; g < 9; ++g) {
+    const auto point = static_cast<std::size_t>(g);
+    const int i = g / 3, k = g % 3;
+    const double measure = area * shapes.weight[point], weight = measure * at.shortening[point % 3];
+    const Vector3d v = points.solid[point].dilatation;
+    const Vector3d stress = total.col(g).head<3>() + total(3, g) * v;
+    const auto strain = at.strain.middleRows<3>(3 * g);
+    at.total.segment<3>(3 * g) = stress;
+    force.noalias() += weight * strain.transpose() * stress;
+    Eigen::Matrix<double, 3, 18> change = total(3, g) * points.solid[point].of_pressure * strain;
+    Vector3d of_pressure = Vector3d::Zero();
+    for (int n = 0; n < 3; ++n) {
+      if (within(i, n) != 0) change.noalias() += within(i, n) * at.own_stress.middleRows<3>(3 * (3 * n + k));
+      of_pressure += pressure_within(i, n) * shapes.pressure[static_cast<std::size_t>(3 * n + k)];
+    }
+    at.local.noalias() += weight * strain.transpose() * change;
+    const Eigen::Matrix<double, 18, 1> widened = strain.transpose() * v;
+    at.of_pressure.noalias() += weight * widened * of_pressure.transpose();
+    at.volume.noalias() += measure * shapes.pressure[point] * widened.transpose();
+    const Nodes &x = points.slope_x[point], &z = points.slope_z[point];
+    const Nodes along = stress(0) * x + stress(2) * z, down = stress(2) * x + stress(1) * z;
+    for (int n = 0; n < 9; ++n)
+      for (int m = 0; m < 9; ++m) {
+        const double geometric = weight * (x(m) * along(n) + z(m) * down(n));
+        at.local(2 * m, 2 * n) += geometric;
+        at.local(2 * m + 1, 2 * n + 1) += geometric;
+      }
+  }
+  const Vector3d compliance = material(r).bulk_ratio / area * pressure_masses.cwiseInverse();
+  at.local.noalias() += at.of_pressure * compliance.asDiagonal() * at.volume;
+  scatter(force, r, e, forces_);
 }
 
 Vector3d FlowingLayer::pressure_change(const Cell& at, const Eigen::Matrix<double, 18, 1>& moved, double bulk,

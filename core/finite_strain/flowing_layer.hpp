@@ -105,6 +105,13 @@ class FlowingLayer {
   void scatter(const Eigen::Matrix<double, 18, 1>& part, int r, int e, Vector& all) const;
   Eigen::Vector3d pressure_change(const Cell& at, const Eigen::Matrix<double, 18, 1>& moved, double bulk,
                                   bool with_lack) const;
+  struct CellPoints;
+  struct RememberedStress;
+  bool deform(int r, int e, const Eigen::Matrix<double, 18, 1>& moved, const Eigen::Vector3d& pressure,
+              CellPoints& points);
+  RememberedStress remembered(int r, int e, const CellPoints& points,
+                              std::vector<Eigen::Matrix<double, 4, 3>>& inflow) const;
+  void assemble(int r, int e, const CellPoints& points, const RememberedStress& remembered);
   bool evaluate_row(int r, const Vector& displacements, const Eigen::Matrix3Xd& pressures);
   Vector sweep(const Vector& change, bool with_lack) const;
 

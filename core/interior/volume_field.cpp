@@ -189,14 +189,30 @@ class VolumeField::Sum {
     sine_ = at_places.transpose().sin().matrix();
   }
 
+  static constexpr std::size_t with_displacements = components + 3;
+  /// Stresses and displacements along x, y and z of a wave whose direction has this cosine and sine.
+  static std::array<complex, with_displacements> turned_back(const DepthState& p, const TransverseResponse::State& t,
+                                                             double nu, double cosine, double sine) {
+    const complex out = nu * (p.stress.x + p.stress.z);
+    const double c2 = cosine * cosine, s2 = sine * sine, cs = cosine * sine;
+    return {c2 * p.stress.x + s2 * out - 2 * cs * t.along,
+            s2 * p.stress.x + c2 * out + 2 * cs * t.along,
+            p.stress.z,
+            sine * p.stress.xz + cosine * t.across_z,
+            cosine * p.stress.xz - sine * t.across_z,
+            cs * (p.stress.x - out) + (c2 - s2) * t.along,
+            cosine * p.u - sine * t.u,
+            sine * p.u + cosine * t.u,
+            p.w};
+  }
+
   /// All waves of one kx, summed over ky at places.
   void add(Index wave, Index row, Index count) {
     require_time();
     const double kx = kx_.k(wave);
     const std::vector<complex> moduli = moduli_at(field_.medium_, -kx * field_.speed_);
     const Index ys = y_.size(), waves = ky_.k.size();
-    constexpr Index with_displacements = components + 3;
-    const Index kept = wanted_ == Wanted::strains ? Index(components) : with_displacements;
+    const Index kept = wanted_ == Wanted::strains ? Index(components) : Index(with_displacements);
     // (ky; real, then imaginary part of each component) of each line, and how many ky have not vanished there.
     std::vector<MatrixXd> amplitudes(ys > 0 ? lines_.size() : 0, MatrixXd(waves, 2 * kept));
     std::vector<Index> reached(lines_.size(), 0);
@@ -214,17 +230,7 @@ class VolumeField::Sum {
         const double nu = field_.medium_[layer].poisson_ratio;
         const DepthState p = in_plane.at(layer, lines_[line].depth);
         const TransverseResponse::State t = across.at(layer, lines_[line].depth);
-        const complex out = nu * (p.stress.x + p.stress.z);
-        const double c2 = cosine * cosine, s2 = sine * sine, cs = cosine * sine;
-        const std::array<complex, with_displacements> f{c2 * p.stress.x + s2 * out - 2 * cs * t.along,
-                                                        s2 * p.stress.x + c2 * out + 2 * cs * t.along,
-                                                        p.stress.z,
-                                                        sine * p.stress.xz + cosine * t.across_z,
-                                                        cosine * p.stress.xz - sine * t.across_z,
-                                                        cs * (p.stress.x - out) + (c2 - s2) * t.along,
-                                                        cosine * p.u - sine * t.u,
-                                                        sine * p.u + cosine * t.u,
-                                                        p.w};
+        const std::array<complex, with_displacements> f = turned_back(p, t, nu, cosine, sine);
         const double weight = ky_.weight(i) / M_PI;
         if (creeps_[layer]) lost_on_planes_(static_cast<Index>(line), row) += weight * distortion_of(f, nu);
         if (ys == 0) continue;

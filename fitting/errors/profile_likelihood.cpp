@@ -167,20 +167,12 @@ class Side : ProfileSide {
   End find(const std::optional<Bend>& other_side) {
     complete = problem.ending->solutions() < most_solutions_;
     if (!complete) return {fit.end[parameter], IntervalEnd::open};
-    const Variable& variable = problem.parameters[parameter].variable;
-    const double bound = direction < 0 ? variable.lowest : variable.highest;
-    const double to_bound = std::abs(variable.scaled(bound) - origin_[index()]);
-    double limit = std::min(to_bound, farthest());
-    const double physical = direction < 0 ? variable.quantity.range.lowest : variable.quantity.range.highest;
     const FitParameter& own = problem.parameters[parameter];
     const bool to_least = direction < 0 && own.has_least;
     if (to_least && fit.end[parameter] <= own.least) return {fit.end[parameter], IntervalEnd::limit};
-    IntervalEnd at_limit = to_bound <= farthest() && bound == physical ? IntervalEnd::limit : IntervalEnd::open;
-    if (limit <= 0) return {bound, at_limit};
-    bool to_zero = variable.scaling == Scaling::reciprocal && direction < 0 &&
-                   bound == 0;  // infinitely far, and next to its limit
-    if (to_zero) at_limit = IntervalEnd::limit;
-    if (const auto quick = quick_end(*this, limit, other_side)) {
+    Limit limit = limit_of_search();
+    if (limit.distance <= 0) return limit.end;
+    if (const auto quick = quick_end(*this, limit.distance, other_side)) {
       bend = quick->bend;
       points.push_back(quick->point);
       return {value_at(quick->distance), IntervalEnd::closed};
@@ -195,15 +187,14 @@ class Side : ProfileSide {
         complete = false;
         break;
       }
-      next = std::min(next, limit);
+      next = std::min(next, limit.distance);
       const double root = root_of_rise(next);
       if (std::isnan(root)) {
         if (!to_least || (stop_ && stop_->load())) return {value_at(inside), IntervalEnd::open};
-        at_limit = IntervalEnd::limit;
-        limit = answered_between(inside, next);
-        to_zero = false;
-        if (limit - inside < 0.02 * limit) return {value_at(limit), at_limit};
-        next = limit;
+        const double answered = answered_between(inside, next);
+        limit = {answered, {value_at(answered), IntervalEnd::limit}};
+        if (answered - inside < 0.02 * answered) return limit.end;
+        next = answered;
         continue;
       }
       if (std::abs(root - target) < 0.05 * target) {
@@ -211,7 +202,7 @@ class Side : ProfileSide {
         return {value_at(next + (target - root) / slope), IntervalEnd::closed};
       }
       if (root < target) {
-        if (next >= limit) return {to_zero ? bound : value_at(limit), at_limit};
+        if (next >= limit.distance) return limit.end;
         inside = next, inside_root = root;
       } else {
         outside = next, outside_root = root;
@@ -235,6 +226,23 @@ class Side : ProfileSide {
   bool complete = true;
 
  private:
+  /// How far the search goes, scaled, and the end of the interval where it gets there.
+  struct Limit {
+    double distance;
+    End end;
+  };
+  Limit limit_of_search() const {
+    const Variable& variable = problem.parameters[parameter].variable;
+    const double bound = direction < 0 ? variable.lowest : variable.highest;
+    const double physical = direction < 0 ? variable.quantity.range.lowest : variable.quantity.range.highest;
+    const double to_bound = std::abs(variable.scaled(bound) - origin_[index()]);
+    const double distance = std::min(to_bound, farthest());
+    const bool to_zero = variable.scaling == Scaling::reciprocal && direction < 0 &&
+                         bound == 0;  // infinitely far, and next to its limit
+    const bool at_limit = to_zero || (to_bound <= farthest() && bound == physical);
+    return {distance,
+            {to_zero || distance <= 0 ? bound : value_at(distance), at_limit ? IntervalEnd::limit : IntervalEnd::open}};
+  }
   Eigen::Index index() const { return static_cast<Eigen::Index>(parameter); }
   double value_at(double distance) const {
     return problem.parameters[parameter].variable.value(origin_[index()] + direction * distance);
