@@ -6,6 +6,7 @@
 #include "core/solve/rolling_contact.hpp"
 #include "studies/run/sweep.hpp"
 #include "tests/catch.hpp"
+#include "tests/plain_scene.hpp"
 #include "tests/studies/program.hpp"
 #include "tests/studies/temporary_directory.hpp"
 
@@ -17,14 +18,7 @@ using Catch::Matchers::Contains;
 namespace {
 
 RollingScene skewed_cylinder(double friction = 0.3) {
-  RollingScene scene;
-  scene.radius = 0.02;
-  scene.layer_thickness = 0.005;
-  scene.static_shear_modulus = 3e6;
-  scene.stiffening = 1;
-  scene.creep_time = 0.25;
-  scene.speed = 0.1;
-  scene.load = 2e4;
+  RollingScene scene = plain_scene();
   scene.friction_coefficient = friction;
   scene.drive = Drive::free;
   return scene;
