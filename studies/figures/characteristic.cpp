@@ -23,9 +23,6 @@ struct Curve {
   std::vector<double> values;  // over the load
 };
 
-/// The largest magnitude.
-double size_of(const std::vector<double>& values) { return largest(values); }
-
 /// What the body takes, over its load; what is nearly nothing, or says the same as the resistance, is left out.
 std::vector<Curve> curves_of(const std::vector<CharacteristicPoint>& points) {
   const RollingSolution& first = points.front().solution;
@@ -44,14 +41,14 @@ std::vector<Curve> curves_of(const std::vector<CharacteristicPoint>& points) {
                             over_load("F_a/P", "along the axle", &RollingSolution::axial_force),
                             over_load("M_z/(P a)", "turning", &RollingSolution::spin_moment, half_length)};
   double all = 0;
-  for (const Curve& curve : curves) all = std::max(all, size_of(curve.values));
+  for (const Curve& curve : curves) all = std::max(all, largest(curve.values));
   std::vector<double> apart;  // F_x of a body that rolls free is its drag
   for (std::size_t i = 0; i < points.size(); ++i)
     apart.push_back(std::abs(curves[1].values[i]) - std::abs(curves[0].values[i]));
   constexpr double nothing = 0.01;
-  if (size_of(apart) < nothing * all) curves.erase(curves.begin() + 1);
+  if (largest(apart) < nothing * all) curves.erase(curves.begin() + 1);
   std::erase_if(curves,
-                [&](const Curve& curve) { return &curve != &curves.front() && size_of(curve.values) < nothing * all; });
+                [&](const Curve& curve) { return &curve != &curves.front() && largest(curve.values) < nothing * all; });
   return curves;
 }
 
@@ -166,6 +163,23 @@ double draw_contacts(const CharacteristicRequest& request, const Span& span, Pic
   return band + words_height;
 }
 
+/// What the forces span, with the bounds by friction that they come near.
+Span heights(const std::vector<Curve>& curves, const std::vector<CharacteristicPoint>& points) {
+  constexpr double near = 0.5, room = 0.06;
+  Span forces{.lowest = 0, .highest = 0};
+  for (const Curve& curve : curves)
+    for (const double value : curve.values)
+      if (std::isfinite(value)) forces.include(value);
+  Span all = forces;
+  for (const CharacteristicPoint& point : points) {
+    const double friction = point.scene.friction_coefficient;
+    if (forces.highest > near * friction) all.include(friction);
+    if (-forces.lowest > near * friction) all.include(-friction);
+  }
+  all.widen(all.lowest < 0 ? room : 0, room);
+  return all;
+}
+
 }  // namespace
 
 double slipping_share(const RollingSolution& solution) {
@@ -189,24 +203,13 @@ ChartFiles draw_characteristic(const CharacteristicRequest& request, const std::
   if (std::none_of(points.begin(), points.end(), [](const auto& p) { return p.scene.friction_coefficient > 0; }))
     throw std::invalid_argument(request.title + ": has no friction, so that nothing sticks or slips");
   const std::vector<Curve> curves = curves_of(points);
-  Span x{.logarithmic = request.x.logarithmic && points.front().place > 0}, y;
-  y.include(0);
+  Span x{.logarithmic = request.x.logarithmic && points.front().place > 0};
   for (const CharacteristicPoint& point : points) x.include(point.place);
-  for (const Curve& curve : curves)
-    for (const double value : curve.values)
-      if (std::isfinite(value)) y.include(value);
-  Span bounded = y;
-  for (const CharacteristicPoint& point : points) {
-    const double friction = point.scene.friction_coefficient;
-    // The bounds that the forces come near.
-    if (y.highest > 0.5 * friction) bounded.include(friction);
-    if (-y.lowest > 0.5 * friction) bounded.include(-friction);
-  }
-  bounded.widen(bounded.lowest < 0 ? 0.06 : 0, 0.06);
-
+  x.widen(0, 0);
   const ChartFiles files = chart_files(name);
-  PictureBuilder picture(request.title, files, request.x, x, {.name = "force over load", .symbol = "", .unit = ""},
-                         bounded);
+  constexpr const char* block = "characteristic";
+  PictureBuilder picture(block, files, request.x, x, {.name = "force over load", .symbol = "", .unit = ""},
+                         heights(curves, points));
   std::string columns = request.x.name + unit_in_brackets(request.x.unit);
   for (const Curve& curve : curves) columns += ", " + curve.symbol;
   std::vector<DataRow> rows;
@@ -216,7 +219,7 @@ ChartFiles draw_characteristic(const CharacteristicRequest& request, const std::
     row.push_back(points[i].scene.friction_coefficient);
     row.push_back(slipping_share(points[i].solution));
   }
-  const std::string data = picture.add(request.title, columns + ", friction coefficient, slipping share", rows);
+  const std::string data = picture.add(block, columns + ", friction coefficient, slipping share", rows);
   const std::string bound = "lines lw 1.5 dt (2,3) lc rgb '#444444'", column = std::to_string(curves.size() + 2);
   for (const char* const sign : {"", "-"})
     picture.plot(data + " using 1:(" + sign + "$" + column + ") with " + bound + " notitle");
