@@ -352,7 +352,8 @@ TEST_CASE("temperatures that were measured give the heat transfer to the air", "
                  {"data", "table.csv"},
                  {"output", "surface_temperature"},
                  {"parameters", {{"surface_heat_transfer", {{"start", 40}}}}}};
-  const ProgramRun run = run_rollres({"fit", folder.write("fit.json", fit.dump()).string(), "--json"}, by_core);
+  const ProgramRun run = run_rollres(
+      {"fit", folder.write("fit.json", fit.dump()).string(), "--db", (folder / "fit.db").string(), "--json"}, by_core);
   INFO(run.err);
   const json answer = json::parse(run.out);
   CHECK(answer["parameters"][0]["value"].get<double>() == Approx(15).epsilon(1e-4));
