@@ -19,6 +19,13 @@ Harmonics response_harmonics(const Harmonics& symbols);
 /// The cosines and sines of the direction of (x, y), not both 0, by which harmonics are summed.
 Harmonics direction_waves(double x, double y, Eigen::Index harmonics);
 
+/// Sum of harmonics, each times its function of a place or of a cell.
+inline Coefficients harmonic_sum(const Eigen::Ref<const Harmonics>& harmonics, const Harmonics& functions) {
+  Coefficients sum = Coefficients::Zero();
+  for (Eigen::Index n = 0; n < functions.cols(); ++n) sum += harmonics.col(n) * functions.col(n);
+  return sum;
+}
+
 /// What a cell has of the functions that the response of any half-space is made of, averaged.
 struct CellFunctions {
   /// @param x, y the cell's centre, its sides cell_x and cell_y [m]
@@ -33,11 +40,7 @@ class DirectionalHalfSpace {
   /// @param response g_n
   explicit DirectionalHalfSpace(const Harmonics& response);
 
-  /// Average of K over a cell.
-  Coefficients operator()(const CellFunctions& cell) const {
-    return (harmonics(cell.far) * cell.values).rowwise().sum();
-  }
-  /// What it weighs a cell's functions with.
+  /// What the functions of a cell, far or near, are weighed with in the average of K over it.
   const Harmonics& harmonics(bool far) const { return far ? response_ : antiderivative_; }
 
  private:

@@ -147,12 +147,6 @@ double farthest_panel(const DirectionalExpansion& directions, const std::vector<
   return end;
 }
 
-Coefficients sum_of(const Eigen::Ref<const Harmonics>& harmonics, const Harmonics& waves) {
-  Coefficients sum = Coefficients::Zero();
-  for (Index n = 0; n < waves.cols(); ++n) sum += harmonics.col(n) * waves.col(n);
-  return sum;
-}
-
 /// The functions of a place by which what is left of the correction falls, at 1/share of the distance of the harmonics:
 /// as r^-2, without harmonics of order 0 as r^-3.
 Harmonics falling(Harmonics waves, double share) {
@@ -200,12 +194,14 @@ SpherePassage::SpherePassage(const LayeredMedium& medium, double wave_speed) {
     base.push_back(response_harmonics(directions.base(m)));
     times_.push_back(directions.time(m));
   }
-  for (const auto& [sums, half_spaces] : {std::pair{&deep_, &deep}, {&base_, &base}})
-    for (const bool far : {false, true}) {
-      std::vector<Harmonics> of_terms;
-      for (const Harmonics& response : *half_spaces) of_terms.push_back(DirectionalHalfSpace(response).harmonics(far));
-      (*sums)[far] = TermSums(of_terms);
+  for (const auto& [sums, half_spaces] : {std::pair{&deep_, &deep}, {&base_, &base}}) {
+    std::array<std::vector<Harmonics>, 2> of_terms;  // near and far
+    for (const Harmonics& response : *half_spaces) {
+      const DirectionalHalfSpace half_space(response);
+      for (const bool far : {false, true}) of_terms[far].push_back(half_space.harmonics(far));
     }
+    for (const bool far : {false, true}) (*sums)[far] = TermSums(of_terms[far]);
+  }
   const double finite = finite_thickness(medium);
   if (finite == 0) return;
 
@@ -239,11 +235,11 @@ SpherePassage::SpherePassage(const LayeredMedium& medium, double wave_speed) {
     if (r < end) {
       const Eigen::VectorXd at = within(r);
       for (Index m = 0; 6 * m < values.size(); ++m)
-        values.segment<6>(6 * m) = sum_of(Eigen::Map<const Harmonics>(&at(m * of_term), 6, harmonics), waves);
+        values.segment<6>(6 * m) = harmonic_sum(Eigen::Map<const Harmonics>(&at(m * of_term), 6, harmonics), waves);
     } else {
       for (std::size_t m = 0; m < tails.size(); ++m)
         values.segment<6>(6 * static_cast<Index>(m)) =
-            sum_of(beyond[m], waves) / r + sum_of(tails[m], falling(waves, end / r));
+            harmonic_sum(beyond[m], waves) / r + harmonic_sum(tails[m], falling(waves, end / r));
     }
     return Eigen::VectorXd(values / length);
   };

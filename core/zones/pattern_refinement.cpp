@@ -18,7 +18,6 @@ namespace {
 
 constexpr int most_coefficients = 160;
 constexpr double smallest_residual = 1e-14;
-
 constexpr double rounded_tail = 1e-12;      // last coefficients, relative to the largest
 constexpr double tolerated_between = 0.01;  // violation between graded points, which the error then counts
 constexpr double plainly_wrong = 0.01;      // the same, seen at once
@@ -81,7 +80,7 @@ PatternRefinement::PatternRefinement(const ContactModel& model, const CreepSpect
 
 bool PatternRefinement::dear_ring() const {
   const std::vector<ModelLayer>& round = model_.coating.empty() ? model_.foundation : model_.coating;
-  return sheared_ring() && !model_.tolerance && !round.front().creep.terms.empty();
+  return model_.ring() && model_.friction_coefficient > 0 && !model_.tolerance && !round.front().creep.terms.empty();
 }
 
 bool PatternRefinement::was_tried(const SlipPattern& pattern) const {
@@ -93,7 +92,7 @@ void PatternRefinement::start_from_grid() {
   tried_.clear();
 }
 
-bool PatternRefinement::refine(const SlipPattern& pattern, SpectralEdges edges, const FoundZones* near) {
+bool PatternRefinement::refine(const SlipPattern& pattern, const SpectralEdges& edges, const FoundZones* near) {
   last_.reset();
   wrong_runs_.clear();
   tried_.push_back(pattern.slips);

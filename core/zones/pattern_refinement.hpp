@@ -23,7 +23,7 @@ class PatternRefinement {
   /// Solves with rising orders until the tolerance is met; true if the answer obeys all laws. Gives up where higher
   /// orders will not help: the pattern is wrong, a violation stays, coefficients do not fall, or work is used up.
   /// @param near  where the edges are from, if they are from another scene
-  bool refine(const SlipPattern& pattern, SpectralEdges edges, const FoundZones* near = nullptr);
+  bool refine(const SlipPattern& pattern, const SpectralEdges& edges, const FoundZones* near = nullptr);
 
   /// Whether the best answer is as sure as asked for, or than no grid would be.
   bool answered() const;
@@ -70,7 +70,6 @@ class PatternRefinement {
     wrong_runs_ = assessed.wrong_runs;
   }
 
-  bool sheared_ring() const { return model_.ring() && model_.friction_coefficient > 0; }
   bool dear_ring() const;
   double held_violation() const { return model_.ring() ? borne_violation : largest_violation; }
 

@@ -17,8 +17,8 @@ namespace {
 
 /// Memories with inertia, in half-widths: logarithms beside shorter ones are not resolved.
 constexpr double shortest_with_inertia = 0.1;
-constexpr double nearly_right =
-    0.01;                       // violation of an inequality, where the place of what is wrong starts a search nearby
+/// Violation of an inequality, where the place of what is wrong starts a search nearby.
+constexpr double nearly_right = 0.01;
 constexpr int most_mended = 6;  // patterns that follow from one another
 
 /// The patterns of zones of one scene, in the order in which they are tried.

@@ -16,7 +16,6 @@ namespace {
 constexpr double shown_left = 84, shown_right = 500, plot_height = 250, axis_height = 66, gap_over_plot = 10;
 constexpr double widest_contact = 96, highest_contact = 110, bar_height = 16, words_height = 26;
 constexpr std::size_t most_contacts = 6;
-constexpr const char *sticking_colour = "#0072B2", *slipping_colour = "#D55E00";
 
 struct Curve {
   std::string symbol, name;
@@ -109,7 +108,7 @@ ContactShape shape_of(const CharacteristicPoint& point) {
     shape.length = s.leading_edge - s.trailing_edge;
     for (const Zone zone : {Zone::slip, Zone::stick})
       for (const auto& [from, to] : zone_runs(zone, s.fields, s))
-        shape.areas.push_back({zone == Zone::stick ? sticking_colour : slipping_colour,
+        shape.areas.push_back({zone == Zone::stick ? stick_colour : slip_colour,
                                {{from - middle, -0.5}, {to - middle, -0.5}, {to - middle, 0.5}, {from - middle, 0.5}}});
     return shape;
   }
@@ -120,10 +119,9 @@ ContactShape shape_of(const CharacteristicPoint& point) {
   shape.width = unit * (view.y.highest - view.y.lowest);
   for (const bool stick : {false, true})
     for (const ContourLoop& loop : zone_loops(s.fields, view, stick)) {
-      const char* const outside = stick ? slipping_colour : "white";
-      ContactShape::Area& area =
-          shape.areas.emplace_back(loop.higher_inside ? (stick ? sticking_colour : slipping_colour) : outside,
-                                   std::vector<std::array<double, 2>>());
+      const char* const outside = stick ? slip_colour : "white";
+      ContactShape::Area& area = shape.areas.emplace_back(
+          loop.higher_inside ? (stick ? stick_colour : slip_colour) : outside, std::vector<std::array<double, 2>>());
       for (const auto& [x, y] : loop.points) area.outline.push_back({x * unit - middle_x, y * unit - middle_y});
     }
   return shape;
@@ -233,8 +231,8 @@ ChartFiles draw_characteristic(const CharacteristicRequest& request, const std::
   }
   picture.explain(LegendEntry::plain(bound, "bound by friction"));
   const auto box = [](const char* colour) { return "boxes fs solid 1 noborder lc rgb '" + std::string(colour) + "'"; };
-  picture.explain(LegendEntry::plain(box(sticking_colour), "stick"));
-  picture.explain(LegendEntry::plain(box(slipping_colour), "slip, its share below"));
+  picture.explain(LegendEntry::plain(box(stick_colour), "stick"));
+  picture.explain(LegendEntry::plain(box(slip_colour), "slip, its share below"));
   picture.script() << "set arrow from graph 0, first 0 to graph 1, first 0 nohead lc rgb '#444444' back\n";
   const double below = axis_height + draw_contacts(request, x, picture);
   const auto [script, text] = picture.finished(request.title, {.height = gap_over_plot + plot_height + below,

@@ -1,13 +1,15 @@
 #pragma once
 
-/// The figures of a solution: those of Zehil and Gavin (2013), 3 and 4 for a cylinder, 5 to 15 for a sphere, and three of
-/// the inside of the layers, drawn by gnuplot as SVG and PNG. The script and the data stay beside each
-/// picture.
+/// The figures of a solution: those of Zehil and Gavin (2013), 3 and 4 for a cylinder, 5 to 15 for a sphere, and three
+/// of the inside of the layers, drawn by gnuplot as SVG and PNG. The script and the data stay beside each picture.
 
 #include "core/newton/surface_window.hpp"
 #include "studies/drawing/chart_frame.hpp"
 
 namespace rollres {
+
+/// Colours of what sticks and what slips.
+inline constexpr const char *stick_colour = "#0072B2", *slip_colour = "#D55E00";
 
 /// Half-lengths of the contact that are shown on all sides of it.
 constexpr double figure_margin = 1.5;

@@ -18,7 +18,7 @@ namespace {
 constexpr std::array<const char*, 3> layer_colours{"#F3DCAE", "#E2B878", "#C9955A"};
 constexpr std::array<const char*, 3> coating_colours{"#BFD9EE", "#8FB8DC", "#6497C4"};
 constexpr const char *body_colour = "#D0D3D8", *base_colour = "#9A9DA2", *ink = "#1A1A1A";
-constexpr const char *stick_colour = "#0072B2", *slip_colour = "#D55E00", *contact_colour = "#009E73";
+constexpr const char* contact_colour = "#009E73";
 constexpr double plot_width = 530, plot_left = 15;  // [px]
 
 using Point = std::array<double, 2>;
