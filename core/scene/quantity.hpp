@@ -66,9 +66,11 @@ struct Quantity {
   std::string_view unit_for(Body body) const { return body.per_metre() && grows_with_width() ? unit_2d : unit; }
 };
 
-/// Whether a quantity of this name is a temperature and no difference of two: a scale with an origin of its own (degC)
-/// has a meaning.
-inline bool is_temperature(std::string_view key) { return key.ends_with("temperature"); }
+/// Whether a quantity of this name is a temperature, or a list of them, and no difference of two: a scale with an
+/// origin of its own (degC) has a meaning.
+inline bool is_temperature(std::string_view key) {
+  return key.ends_with("temperature") || key.ends_with("temperatures");
+}
 
 /// Names of an enumeration's values in the order of its declaration; specialised beside each enumeration.
 template <class Choice>

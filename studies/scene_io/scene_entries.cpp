@@ -55,8 +55,7 @@ double number(const SceneEntry& entry, const Quantity& quantity, Body body) {
     fail(unit == "1" ? "must be a number without quotes"
                      : "must be a number without quotes, or have " + wanted_unit(quantity, body));
   try {
-    const bool temperature = is_temperature(quantity.key) || quantity.key == "shift_temperatures";
-    return temperature ? kelvin(text) : si_value(text, unit);
+    return is_temperature(quantity.key) ? kelvin(text) : si_value(text, unit);
   } catch (const std::invalid_argument& error) {
     std::string rule = error.what();
     if (quantity.grows_with_width() && rule.ends_with(unit_in_words(unit)))

@@ -20,9 +20,7 @@ namespace {
 
 /// Short lists in full, of longer ones the ends.
 std::string list_text(const Quantity& quantity, const std::vector<double>& values, std::string_view unit) {
-  Quantity one = quantity;
-  if (one.key.ends_with("temperatures")) one.key.remove_suffix(1);
-  const auto text = [&](double value) { return readable(one, value, unit); };
+  const auto text = [&](double value) { return readable(quantity, value, unit); };
   constexpr std::size_t most = 6;
   if (values.size() > most)
     return std::to_string(values.size()) + " values, " + text(values.front()) + " ... " + text(values.back());
