@@ -8,7 +8,7 @@
 #include "core/messages/message_text.hpp"
 #include "core/model/contact_surface.hpp"
 #include "core/numerics/solution_limits.hpp"
-#include "core/surface/passage_slopes.hpp"
+#include "core/spectral/passage_slopes.hpp"
 
 namespace rollres {
 

@@ -7,8 +7,8 @@
 
 #include "core/material/prony_series.hpp"
 #include "core/model/indenter_shape.hpp"
+#include "core/spectral/slope_correction.hpp"
 #include "core/surface/deep_response.hpp"
-#include "core/surface/slope_correction.hpp"
 
 namespace rollres {
 

@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "core/spectral/sliding_base.hpp"
-#include "core/surface/slope_correction.hpp"
+#include "core/spectral/slope_correction.hpp"
 
 namespace rollres {
 

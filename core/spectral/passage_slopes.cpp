@@ -1,4 +1,4 @@
-#include "core/surface/passage_slopes.hpp"
+#include "core/spectral/passage_slopes.hpp"
 
 #include <cmath>
 #include <utility>

@@ -10,9 +10,9 @@
 #include <span>
 #include <vector>
 
+#include "core/spectral/slope_correction.hpp"
 #include "core/surface/fourier_table.hpp"
 #include "core/surface/ring_curvature.hpp"
-#include "core/surface/slope_correction.hpp"
 #include "core/surface/steady_surface.hpp"
 
 namespace rollres {
