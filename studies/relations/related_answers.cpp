@@ -239,6 +239,15 @@ double flow_left(const RollingScene& scene, const RollingSolution& solution) {
   return found && solution.status == Status::converged ? share_of_error * solution.error_estimate : 0;
 }
 
+/// Whether a limit ended an answer before its tolerance, or before there was one. How far it came is luck of the clock,
+/// and so is whether another one took the same steps.
+bool cut_short(const RollingSolution& solution) {
+  const auto told = [](const std::string& words) {
+    return words.find("was not reached") != std::string::npos || words.find("the time_limit of ") != std::string::npos;
+  };
+  return told(solution.reason) || std::any_of(solution.warnings.begin(), solution.warnings.end(), told);
+}
+
 RelationFinding solve_and_compare(const RelatedScenes& scenes, const Evaluate& evaluate, RollingScene& second) {
   const RollingSolution one = evaluate(scenes.one);
   second = scenes.other(one);
@@ -246,7 +255,8 @@ RelationFinding solve_and_compare(const RelatedScenes& scenes, const Evaluate& e
   if (!check(second).empty()) return without_answer(RelationOutcome::unanswered, "the first: ", one);
   const RollingSolution other = evaluate(second);
   RelatedScenes related = scenes;
-  if (!scenes.strict)
+  related.strict = scenes.strict && !cut_short(one) && !cut_short(other);
+  if (!related.strict)
     related.exact += expansion_left(scenes.one, one) + expansion_left(second, other) + flow_left(scenes.one, one) +
                      flow_left(second, other);
   return compare_statuses(related, one, other);

@@ -47,7 +47,8 @@ struct RelatedScenes {
   double exact = 1e-7;       ///< relative difference that the relation itself leaves [1]
   double resistance = 0;     ///< relative difference of R_r that is allowed where the above is less [1]
   double sensitivity = 1;    ///< of what is found to what is given, where the other scene is given what the first found
-  bool strict = false;       ///< the same equations in the same steps: no allowance for discretisation, one status
+  bool strict = false;       ///< the same equations in the same steps: no allowance for discretisation, one status,
+                             ///< unless a limit cut an answer short
   bool mirrored = false;     ///< the other answer is the first one's mirror image along x
   bool turned_back = false;  ///< it is the mirror image across the motion
   std::vector<std::string_view> left_out = {};  ///< outputs of which the relation says nothing

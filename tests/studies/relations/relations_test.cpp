@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 #include <string>
 
+#include "core/model/stated_error.hpp"
 #include "studies/relations/relation_run.hpp"
 #include "studies/scene_io/scene_file.hpp"
 #include "studies/scene_io/solution_json.hpp"
@@ -153,6 +154,32 @@ TEST_CASE("a scene of which only one side has an answer is told apart, and is br
     CHECK(try_relation(scenes, [](const RollingScene&) { return RollingSolution{}; }).outcome ==
           RelationOutcome::unanswered);
   }
+}
+
+TEST_CASE("answers that a limit cut short differ by what they state where only units differ", "[studies][relations]") {
+  const RelatedScenes scaled = related_scenes(relation("scaled"), Indenter::cylinder, 1, 1);
+  const auto with_edges = [&](const std::string& warning, double share, double error) {
+    return [&, warning, share, error](const RollingScene& scene) {
+      RollingSolution solution = dimensional(scene, 1);
+      solution.edge_error = error * scene.radius;
+      if (scene_json(scene) == scene_json(scaled.one)) return solution;
+      solution.trailing_edge *= 1 + share;
+      solution.warnings.push_back(warning);
+      return solution;
+    };
+  };
+  const std::string missed = tolerance_missed(1e-6, RollingSolution{}, "", "a limit");
+  CHECK(try_relation(scaled, with_edges(missed, 0.01, 0.002)).outcome == RelationOutcome::kept);
+  CHECK(try_relation(scaled, with_edges(missed, 0.1, 0.002)).outcome == RelationOutcome::broken);
+  CHECK(try_relation(scaled, with_edges("a word", 0.01, 0.002)).outcome == RelationOutcome::broken);
+  const auto ended = [&](const RollingScene& scene) {
+    if (scene_json(scene) == scene_json(scaled.one)) return dimensional(scene, 1);
+    RollingSolution solution;
+    solution.status = Status::not_converged;
+    solution.reason = "not solved within the time_limit of 1 s of processor time";
+    return solution;
+  };
+  CHECK(try_relation(scaled, ended).outcome == RelationOutcome::one_sided);
 }
 
 TEST_CASE("rollres stability --relations leaves a table and both scenes of what is broken", "[studies][relations]") {
