@@ -138,7 +138,7 @@ class Assumptions {
 
   void turns() {
     const double left = left_after_turn(model_);
-    if (left <= recovered(model_))
+    if (!feels_earlier_turns(model_))
       all_.push_back({recovered_ring, message_text<2>("after a turn ", left, " is left"), 0.0, left});
   }
 

@@ -7,10 +7,10 @@
 #include <utility>
 
 #include "core/influence/influence.hpp"
-#include "core/influence/line_passage.hpp"
 #include "core/influence/passage_kernel.hpp"
 #include "core/material/lumped_spectrum.hpp"
 #include "core/model/contact_surface.hpp"
+#include "core/surface/earlier_turns.hpp"
 #include "core/surface/fourier_table.hpp"
 #include "core/surface/medium_expansion.hpp"
 
@@ -66,20 +66,16 @@ class AddedAlongAxle {
   FourierTable table_;
 };
 
-/// What a ring still has of the same line force one turn, two turns, ... ago, as `EarlierTurns` of line_passage.cpp has
-/// it. @param alone the ring as a layer on a rigid base
+/// What a ring still has of earlier turns. @param alone the ring as a layer on a rigid base
 void add_earlier_turns(InfluenceTable& table, const ContactModel& alone, double cell, const MemoryRange& told_apart,
                        bool ahead) {
-  const AddedAlongAxle added(alone, cell, told_apart);
-  const CreepSpectrum creep = foundation_of(alone, told_apart).front().material;
-  const double turn = 2 * M_PI * alone.radius;
-  const auto far = [&](double x) { return added(x) - remembered_logarithm(creep, alone.speed, x) / M_PI; };
+  const SteadySurface surface = steady_surface(alone, told_apart);
+  const EarlierTurns turns(alone.radius, surface.longest_wave(), 1, 1, [&](double along, std::span<complex> values) {
+    values[0] = surface(surface.moduli(along), along, 0).transverse / M_PI;
+  });
   InfluenceTable earlier(table.reach_x(), 0);
-  for (int column = -table.reach_x(); column <= table.reach_x(); ++column) {
-    double& sum = earlier.ww[static_cast<std::size_t>(table.index(column, 0))];
-    for (int turns = turns_felt(alone); turns > 0; --turns)
-      sum += far(column * cell + turns * turn) + far(column * cell - turns * turn);
-  }
+  for (int column = -table.reach_x(); column <= table.reach_x(); ++column)
+    earlier.ww[static_cast<std::size_t>(table.index(column, 0))] = turns(0, column * cell)(0);
   table.add_coating(ahead ? earlier.reversed() : earlier);
 }
 
@@ -105,7 +101,7 @@ std::vector<double> axial_coefficients(const ContactModel& model, const SurfaceG
     for (int column = -reach_x; column <= reach_x; ++column)
       table.ww[static_cast<std::size_t>(table.index(column, 0))] += added(column * cell);
   }
-  if (model.ring() && left_after_turn(model) > recovered(model))
+  if (feels_earlier_turns(model))
     add_earlier_turns(table, model.coating.empty() ? model : coating_alone(model), cell, told_apart,
                       coating_remembers_ahead(model));
   return std::move(table.ww);

@@ -8,11 +8,10 @@
 #include <vector>
 
 #include "core/influence/passage_kernel.hpp"
-#include "core/numerics/chebyshev.hpp"
-#include "core/numerics/memory_functions.hpp"
 #include "core/numerics/quadrature.hpp"
 #include "core/numerics/recently_made.hpp"
 #include "core/surface/deep_medium.hpp"
+#include "core/surface/earlier_turns.hpp"
 #include "core/surface/fourier_table.hpp"
 #include "core/surface/medium_expansion.hpp"
 #include "core/surface/ring_curvature.hpp"
@@ -39,7 +38,7 @@ struct NearSpectra {
     };
     put(normal, 2 * deep(0));
     put(longitudinal, 2 * deep(1));
-    put(cross, -2 * cross_sign * deep(2));
+    if (deep(2) != 0) put(cross, -2 * cross_sign * deep(2));
   }
 
   /// Without inertia each term of creep is a half-space of its own.
@@ -190,78 +189,43 @@ std::shared_ptr<const AddedDisplacements> added_displacements(const AddedKey& ke
   return {kept, kept->get()};
 }
 
-/// Displacements that a ring still has of the same line force one turn, two turns, ... ago: the harmonics of a closed
-/// ring are whole numbers, and their sum is that of all turns of one that goes on for ever (Poisson).
-class EarlierTurns {
- public:
-  /// @param alone the ring as a layer on a rigid base, without inertia   @param reach of the distances asked for [m]
-  EarlierTurns(const ContactModel& alone, const MemoryRange& told_apart, double reach)
-      : turn_(2 * M_PI * alone.radius), reach_(reach), speed_(alone.speed), turns_(turns_felt(alone)) {
-    const MediumLayer face = foundation_of(alone, told_apart).front();
-    deep_ = half_space_symbols(face.poisson_ratio);
-    creep_ = face.material;
-    const std::shared_ptr<const AddedDisplacements> added = added_displacements({alone, told_apart});
-    series_ = chebyshev_fit(nodes).series<LayerSlopes>([&](double t) { return sum_of_turns(*added, reach_ * t); });
-  }
-
-  LayerSlopes operator()(double x) const { return chebyshev_sum(std::span<const LayerSlopes>(series_), x / reach_); }
-
- private:
-  static constexpr int nodes = 24;
-  LayerSlopes sum_of_turns(const AddedDisplacements& added, double x) const {
-    std::vector<double> places;
-    for (int turn = 1; turn <= turns_; ++turn) places.insert(places.end(), {x + turn * turn_, x - turn * turn_});
-    LayerSlopes sum = LayerSlopes::Zero();
-    for (const LayerSlopes& value : added(places)) sum += value;
-    for (const double place : places) add_half_space(place, sum);
-    return sum;
-  }
-
-  /// What belongs to the whole displacement far from the force besides.
-  void add_half_space(double x, LayerSlopes& sum) const {
-    const double pole = remembered_logarithm(creep_, speed_, x);
-    double side = creep_.instantaneous * (x > 0 ? 1 : -1);
-    for (const CreepSpectrum::Term& term : creep_.terms)
-      side += term.compliance * (x > 0 ? 1 : 2 * std::exp(x / (term.time * speed_)) - 1);
-    sum(layer_slope::normal) -= deep_.normal * pole / M_PI;
-    sum(layer_slope::tangential) -= deep_.longitudinal * pole / M_PI;
-    sum(layer_slope::cross) -= 0.5 * deep_.cross * side;
-  }
-
-  double turn_, reach_, speed_;
-  int turns_;
-  LayerSymbols deep_;
-  CreepSpectrum creep_;
-  std::vector<LayerSlopes> series_;
-};
-
 struct TurnsKey {
-  AddedKey added;
-  double radius, reach;  // [m]
-  int turns;
+  SteadySurface surface;
+  double radius;  // [m]
+  bool sheared;
   bool operator==(const TurnsKey&) const = default;
 };
 
-/// The same for all grids of a scene. @param alone  as above   @param reach  of a grid [m]
-std::shared_ptr<const EarlierTurns> earlier_turns(const ContactModel& alone, const MemoryRange& told_apart,
-                                                  double reach) {
-  reach = std::max(reach, 2 * alone.radius);
+/// Displacements by earlier turns, the same for all grids of a scene.
+/// @param alone the ring as a layer on a rigid base, without inertia
+std::shared_ptr<const EarlierTurns> earlier_turns(const ContactModel& alone, const MemoryRange& told_apart) {
   static RecentlyMade<TurnsKey, EarlierTurns, 16> cache;
-  return cache(TurnsKey{{alone, told_apart}, alone.radius, reach, turns_felt(alone)},
-               [&] { return EarlierTurns(alone, told_apart, reach); });
+  const TurnsKey key{steady_surface(alone, told_apart), alone.radius, alone.friction_coefficient > 0};
+  return cache(key, [&] {
+    const SteadySurface& surface = key.surface;
+    const auto displacements = [&](double along, std::span<complex> values) {
+      constexpr complex i(0, 1);
+      const SurfaceCompliance c = surface(surface.moduli(along), along, 0);
+      values[0] = c.normal / M_PI;
+      values[1] = c.longitudinal / M_PI;
+      values[2] = i * c.cross / M_PI;
+      if (values.size() > 3) values[3] = i * c.hoop / M_PI;
+    };
+    return EarlierTurns(key.radius, surface.longest_wave(), 1, key.sheared ? 4 : 3, displacements);
+  });
 }
 
 /// Adds what rings have not recovered from in a turn.
 void add_earlier_turns(InfluenceTable& table, const ContactModel& model, double cell, const MemoryRange& told_apart) {
-  if (!model.ring() || left_after_turn(model) <= recovered(model)) return;
+  if (!feels_earlier_turns(model)) return;
   const bool alone = model.coating.empty();
   const int reach = table.reach_x();
-  const auto turns = earlier_turns(alone ? model : coating_alone(model), told_apart, reach * cell);
+  const auto turns = earlier_turns(alone ? model : coating_alone(model), told_apart);
   InfluenceTable earlier(reach, 0);
   earlier.bend();
   for (int column = -reach; column <= reach; ++column) {
     const auto at = static_cast<std::size_t>(table.index(column, 0));
-    const LayerSlopes values = (*turns)(column * cell);
+    const LayerSlopes values = (*turns)(0, column * cell);
     earlier.ww[at] = values(layer_slope::normal);
     earlier.uu[at] = values(layer_slope::tangential);
     earlier.uw[at] = values(layer_slope::cross) * (alone ? -1 : 1);
@@ -277,27 +241,6 @@ double shared_length(double length, double unit, double (*round)(double)) {
 
 }  // namespace
 
-int turns_felt(const ContactModel& alone) {
-  double memory = 0, thickness = 0;
-  for (const ModelLayer& ring : alone.foundation) {
-    thickness += ring.layer_thickness;
-    for (const CreepSpectrum::Term& term : ring.creep.terms) memory = std::max(memory, alone.speed * term.time);
-  }
-  constexpr double most = 40;
-  return static_cast<int>(
-      std::clamp(std::ceil(30 * std::max(memory, 2 * thickness) / (2 * M_PI * alone.radius)), 1.0, most));
-}
-
-double remembered_logarithm(const CreepSpectrum& creep, double speed, double x) {
-  const double logarithm = std::log(std::abs(x));
-  double sum = creep.instantaneous * logarithm;
-  for (const CreepSpectrum::Term& term : creep.terms) {
-    const double length = term.time * speed;
-    sum += term.compliance * (logarithm + length * remembered_pole(x, length));
-  }
-  return sum;
-}
-
 double line_expansion_error(const ContactModel& model) {
   return model.inertia ? near_spectra(model, foundation_of(model), coating_of(model))->error : 0;
 }
@@ -310,9 +253,8 @@ InfluenceTable line_passage_table(const ContactModel& model, const SurfaceGrid& 
       return shared_passage_kernel(2, Layer(INFINITY, poisson_ratio), cell, grid.spacing_y, reach_x, 0)
           ->table(spectrum, model.speed, reach_x, 0);
     };
-    InfluenceTable table(reach_x, 0);
-    table.ww = half_space(0.5, near->normal).ww;
-    table.uu = half_space(0.5, near->longitudinal).uu;
+    InfluenceTable table = half_space(0.5, near->normal);
+    if (near->longitudinal != near->normal) table.uu = half_space(0.5, near->longitudinal).uu;
     table.uw = half_space(0, near->cross).uw;
     return table;
   };

@@ -15,13 +15,6 @@ namespace rollres {
 /// @param scene of a cylinder, without period
 InfluenceTable line_passage_table(const ContactModel& model, const SurfaceGrid& grid, int reach_x);
 
-/// Turns of a ring until nothing is left of its longest memory, e^-30, or until what is left is the same along the
-/// contact. @param alone the ring as a layer on a rigid base
-int turns_felt(const ContactModel& alone);
-
-/// ln|x| over the modulus as a half-space that creeps remembers it of a line force that has passed at a speed [1/Pa].
-double remembered_logarithm(const CreepSpectrum& creep, double speed, double x);
-
 /// Largest relative error of the expansion that it contains: 0 without inertia.
 double line_expansion_error(const ContactModel& model);
 

@@ -107,8 +107,6 @@ double share_of_coating(const ContactModel& model, double half_width) {
   return coating / (coating + foundation);
 }
 
-double recovered(const ContactModel& model) { return std::max(1e-8, 0.03 * model.asked_tolerance.value_or(0)); }
-
 double left_after_turn(const ContactModel& model) {
   if (!model.ring()) return 0;
   constexpr double elastic_decay = 0.74;  // of an incompressible layer, over a thickness (surface/layer_slopes.hpp)
@@ -128,6 +126,11 @@ double left_after_turn(const ContactModel& model) {
     most = std::max(most, left);
   }
   return std::max(std::exp(-elastic_decay * turn / thickness), most);
+}
+
+bool feels_earlier_turns(const ContactModel& model) {
+  constexpr double least = 1e-8, part_of_tolerance = 0.03;
+  return left_after_turn(model) > std::max(least, part_of_tolerance * model.asked_tolerance.value_or(0));
 }
 
 double total_thickness(const ContactModel& model) {
@@ -179,9 +182,9 @@ std::string coating_in_words(const ContactModel& model) {
             : model.inertia      ? ": with inertia it is"
                                  : ": the core is not felt");
   return "the coating is a ring on the core, " + share +
-         (left_after_turn(model) <= recovered(model)
-              ? ", recovered when it comes round again"
-              : message_text<4>(", with earlier turns: of each about ", left_after_turn(model), " is left after one"));
+         (feels_earlier_turns(model)
+              ? message_text<4>(", with earlier turns: of each about ", left_after_turn(model), " is left after one")
+              : ", recovered when it comes round again");
 }
 
 std::string surface_in_words(const ContactModel& model) {

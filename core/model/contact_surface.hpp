@@ -49,8 +49,8 @@ double share_of_coating(const ContactModel& model, double half_width);
 /// What is left of a ring's displacement when it comes round, over that under the body, roughly: of its elastic part
 /// and of its longest memory; 0 without a ring [1].
 double left_after_turn(const ContactModel& model);
-/// Of that, what counts as recovered: a part of the tolerance asked for.
-double recovered(const ContactModel& model);
+/// Whether that counts beside the tolerance asked for.
+bool feels_earlier_turns(const ContactModel& model);
 
 /// Thickness of all layers under and on the body [m]; infinite over a half-space.
 double total_thickness(const ContactModel& model);

@@ -285,9 +285,6 @@ std::string spectral_refusal(const ContactModel& model) {
   if (coating_remembers_ahead(model))
     return message_text("rotation_ratio = ", model.flow,
                         ": must be >= 0 with method \"spectral\" and a viscoelastic coating");
-  if (const double left = left_after_turn(model); left > recovered(model))
-    return message_text("the cover has not recovered when it comes round again, ", left,
-                        " is left: not with method \"spectral\"");
   // Two half-spaces whose pressure moves the surface sideways do so with memories of their own.
   const bool on_body = model.coating.front().poisson_ratio < 0.5;
   if (!on_body && !(model.top().poisson_ratio < 0.5)) return {};

@@ -42,9 +42,11 @@ struct SpectralProblem {
 
   /// Whether pressure and shear, if there is any, are coupled in short waves, or these remember (section 9).
   bool graded(bool shear) const { return inertia || (shear && deep->cross() != 0); }
-  /// Whether shear moves a ring outwards by its integral (core/surface/ring_compliance.hpp): the pressure has a power
-  /// 3/2 of the distance from ends of sticks, that densities have not.
-  bool sheared_ring(bool shear) const { return shear && model.ring() && !graded(shear); }
+  /// Whether the surface is curved: the slopes of a ring go with a logarithm, which knows the pressure by its
+  /// coefficients alone and not by what short memories add beyond; and where it is sheared, which moves it outwards by
+  /// the shear's integral (core/surface/ring_compliance.hpp), the pressure has a power 3/2 of the distance from ends of
+  /// sticks, that densities have not.
+  bool curved(bool shear) const { return model.ring() && !graded(shear); }
   bool layered() const { return correction != nullptr; }
   Eigen::Index terms() const { return static_cast<Eigen::Index>(creep_length.size()); }
 };

@@ -193,6 +193,10 @@ PatternRefinement::Verdict PatternRefinement::judge(Rise& rise) {
   if (!rise.enough && (rise.checked || !(rise.error < first_check)))
     return rise.costly && rise.told.order >= should_fall && !rise.falling ? Verdict::refuted : Verdict::next_order;
   rise.checked = true;
+  if (!driven()) {  // M and N matter to R_r alone: orders before told its change without theirs
+    take_coating(*last_);
+    rise.told.resistance = rise.before = resistance_of(*last_, model_.radius);
+  }
   work_ += work_of_check(problem_, rise.pattern, rise.told.order, rise.edges.contact.half_length());
   AssessedSpectral assessed = assess(problem_, *last_);
   const bool lawful = accuracy_.in_its_zones(*last_, assessed, rise.told.order);
@@ -219,6 +223,7 @@ PatternRefinement::Verdict PatternRefinement::judge(Rise& rise) {
 /// A tolerance beyond what rounding and work allow leaves the best answer, better than any grid's.
 bool PatternRefinement::take_last_order(Rise& rise) {
   if (!last_ || !(rise.told.error <= std::max(finer_than_grids, model_.tolerance.value_or(0)))) return false;
+  if (!driven()) take_coating(*last_);
   AssessedSpectral assessed = assess(problem_, *last_);
   return keep_best(assessed, rise);
 }
@@ -233,18 +238,19 @@ double PatternRefinement::take_coating(SpectralState& state) {
   return coating_in_drive(model_, change);
 }
 
+bool PatternRefinement::driven() const { return model_.friction_coefficient > 0 && model_.drive != Drive::rotation; }
+
 /// The search, and again while the drive's row knows another M and N than the tractions make: these hardly depend on
 /// it.
 std::optional<SpectralState> PatternRefinement::find_with_coating(EdgeSearch& search, SpectralEdges edges, int order,
                                                                   double residual, int most_evaluations) {
   constexpr int most_passes = 8;
   constexpr double negligible = 0.02 * largest_violation;  // of the load
-  const bool driven = model_.friction_coefficient > 0 && model_.drive != Drive::rotation;
   for (int pass = 1;; ++pass) {
     std::optional<SpectralState> state = search.find(edges, {order, order}, residual, most_evaluations);
-    if (!state) return {};
+    if (!state || !driven()) return state;
     const double change = take_coating(*state);
-    if (!driven || std::abs(change) <= negligible * state->load || pass == most_passes) return state;
+    if (std::abs(change) <= negligible * state->load || pass == most_passes) return state;
     edges = state->edges;
   }
 }

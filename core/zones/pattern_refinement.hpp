@@ -71,6 +71,8 @@ class PatternRefinement {
   }
 
   bool dear_ring() const;
+  /// Whether the drive asks for a sum of the tractions, of which the coating's M and N are part.
+  bool driven() const;
   double held_violation() const { return model_.ring() ? borne_violation : largest_violation; }
 
   const ContactModel& model_;

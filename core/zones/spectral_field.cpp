@@ -20,12 +20,17 @@ using Eigen::VectorXd;
 
 constexpr int most_tail_terms = 4000, most_mixed_tail_terms = 300;
 
-/// sum c_k h_k of cosines or sines of multiples of acos(t), from the one before the first and the first.
-double harmonic_sum(const VectorXd& c, double t, double before, double here) {
-  double sum = 0;
+/// Places that a processor does side by side.
+using Lanes = Eigen::Array<double, 8, 1>;
+
+/// sum c_k h_k of cosines or sines of multiples of acos(t), from the one before the first and the first; at one place
+/// or at several.
+template <class Value>
+Value harmonic_sum(const VectorXd& c, const Value& t, Value before, Value here) {
+  Value sum = 0 * t;
   for (Index k = 0; k < c.size(); ++k) {
     sum += c(k) * here;
-    const double next = 2 * t * here - before;
+    const Value next = 2 * t * here - before;
     before = here;
     here = next;
   }
@@ -52,6 +57,14 @@ double density_sum(const VectorXd& c, double t, Index first) {
   const double angle = std::acos(t);
   return harmonic_sum(c, t, std::sin(static_cast<double>(first - 1) * angle),
                       std::sin(static_cast<double>(first) * angle));
+}
+
+Lanes density_sum(const VectorXd& c, const Lanes& t, Index first) {
+  if (c.size() == 0) return Lanes::Zero();
+  const Lanes angle = t.max(-1).min(1).acos();
+  const Lanes before = (static_cast<double>(first - 1) * angle).sin(),
+              here = (static_cast<double>(first) * angle).sin();
+  return (t.abs() < 1).select(harmonic_sum(c, t, before, here), 0.0);
 }
 
 }  // namespace
@@ -118,6 +131,23 @@ double SpectralField::pressure(double x) const {
   if (state_.graded) return state_.graded->pressure_at(x);
   const double t = place_in(state_.edges.contact, x);
   return density_sum(state_.pressure.coefficients, t, 1) + tail_density(contact_tails_, t);
+}
+
+ArrayXd SpectralField::pressure(const ArrayXd& x) const {
+  ArrayXd values(x.size());
+  for (Index first = 0; first < x.size(); first += Lanes::SizeAtCompileTime) {
+    const Index count = std::min<Index>(x.size() - first, Lanes::SizeAtCompileTime);
+    if (state_.graded) {
+      for (Index k = first; k < first + count; ++k) values(k) = state_.graded->pressure_at(x(k));
+      continue;
+    }
+    Lanes t = Lanes::Zero();
+    for (Index k = 0; k < count; ++k) t(k) = place_in(state_.edges.contact, x(first + k));
+    const Lanes sum = density_sum(state_.pressure.coefficients, t, 1) +
+                      2 * density_sum(contact_tails_.left, t, contact_tails_.kept.size());
+    values.segment(first, count) = sum.head(count);
+  }
+  return values;
 }
 
 double SpectralField::shear(double x) const { return shear(x, pressure(x)); }

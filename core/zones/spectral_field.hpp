@@ -18,7 +18,8 @@ class SpectralField {
   SpectralField(const SpectralProblem& problem, const SpectralState& state);
 
   double pressure(double x) const;  // (S9) with its tails [Pa]
-  double shear(double x) const;     // (S15) [Pa]
+  Eigen::ArrayXd pressure(const Eigen::ArrayXd& x) const;
+  double shear(double x) const;  // (S15) [Pa]
   double shear(double x, double pressure_there) const;
   Zone zone(double x) const;
 

@@ -178,9 +178,9 @@ class SpectralAssessment {
       violated(std::abs(drive_row(model, torque, force) - drive_target(model)) / load);
     }
     assessed_.violation = worst;
-    s_.law_violation = state_.graded                      ? violated_at_nodes(shear_scale)
-                       : problem_.sheared_ring(sheared()) ? state_.residuals.cwiseAbs().maxCoeff()
-                                                          : worst;
+    s_.law_violation = state_.graded                ? violated_at_nodes(shear_scale)
+                       : problem_.curved(sheared()) ? state_.residuals.cwiseAbs().maxCoeff()
+                                                    : worst;
   }
 
   /// Takes over a point of the contact, from the leading edge on. One that obeys the laws ends a run.

@@ -139,10 +139,8 @@ SurfacePanel loaded_panel(const SpectralField& field, double from, double to) {
   panel.x(0) = to;
   panel.x(PanelRule::last) = from;
   if (panel.zone == Zone::free) return panel;
-  for (int k = 0; k < PanelRule::count; ++k) {
-    panel.pressure(k) = field.pressure(panel.x(k));
-    panel.shear(k) = field.shear(panel.x(k), panel.pressure(k));
-  }
+  panel.pressure = field.pressure(panel.x);
+  for (int k = 0; k < PanelRule::count; ++k) panel.shear(k) = field.shear(panel.x(k), panel.pressure(k));
   return panel;
 }
 

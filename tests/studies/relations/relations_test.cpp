@@ -157,7 +157,14 @@ TEST_CASE("a scene of which only one side has an answer is told apart, and is br
 }
 
 TEST_CASE("answers that a limit cut short differ by what they state where only units differ", "[studies][relations]") {
-  const RelatedScenes scaled = related_scenes(relation("scaled"), Indenter::cylinder, 1, 1);
+  const UnitFactors factors{8, 0.25, 1024};
+  RollingScene plain = plain_scene();
+  plain.load = 1e3;
+  const RelatedScenes scaled{.one = plain,
+                             .other = [&](const RollingSolution&) { return in_units(plain, factors); },
+                             .factors = factors,
+                             .exact = 1e-6,
+                             .strict = true};
   const auto with_edges = [&](const std::string& warning, double share, double error) {
     return [&, warning, share, error](const RollingScene& scene) {
       RollingSolution solution = dimensional(scene, 1);
@@ -169,7 +176,9 @@ TEST_CASE("answers that a limit cut short differ by what they state where only u
     };
   };
   const std::string missed = tolerance_missed(1e-6, RollingSolution{}, "", "a limit");
-  CHECK(try_relation(scaled, with_edges(missed, 0.01, 0.002)).outcome == RelationOutcome::kept);
+  const RelationFinding kept = try_relation(scaled, with_edges(missed, 0.01, 0.002));
+  CAPTURE(kept.words);
+  CHECK(kept.outcome == RelationOutcome::kept);
   CHECK(try_relation(scaled, with_edges(missed, 0.1, 0.002)).outcome == RelationOutcome::broken);
   CHECK(try_relation(scaled, with_edges("a word", 0.01, 0.002)).outcome == RelationOutcome::broken);
   const auto ended = [&](const RollingScene& scene) {
