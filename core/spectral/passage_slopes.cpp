@@ -19,13 +19,13 @@ PassageSlopes::PassageSlopes(SteadySurface surface, const CreepSpectrum& deep, d
              [this](double wavenumber, std::span<complex> values) { transform(wavenumber, values); }) {
   const SurfaceCompliance at_rest = surface_.half_spaces(surface_.moduli(0));
   at_rest_ = 2 / deep_.at_rest() * Eigen::Array2d(at_rest.normal.real(), at_rest.longitudinal.real());
+  std::vector<double> lengths;
   for (const CreepSpectrum::Term& term : deep.terms) {
-    const double length = surface_.speed() * term.time;
-    memory_lengths_.push_back(length / depth_);
-    if (pressed_.none()) continue;
-    pressed_memory_.push_back(pressed_.remembered(length));
-    if (sheared) sheared_memory_.push_back(sheared_.remembered(length));
+    lengths.push_back(surface_.speed() * term.time);
+    memory_lengths_.push_back(lengths.back() / depth_);
   }
+  pressed_memory_ = pressed_.remembered(lengths);
+  if (sheared) sheared_memory_ = sheared_.remembered(lengths);
 }
 
 void PassageSlopes::transform(double k, std::span<complex> values) const {

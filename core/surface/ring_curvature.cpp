@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <utility>
 
 #include "core/material/prony_series.hpp"
@@ -156,6 +157,50 @@ void RingCurvature::make_series() {
   }
 }
 
+/// Where slopes are tabled, and what parts of a length are there: curvatures seen through many memories have most of
+/// them in common.
+class RingCurvature::TabledParts {
+ public:
+  explicit TabledParts(double radius) {
+    borders.push_back(0);
+    while (borders.back() > std::log(nearest_tabled)) borders.push_back(borders.back() - width_);
+    std::reverse(borders.begin(), borders.end());
+    for (const double side : {1.0, -1.0})
+      Side(borders, degree, [&](double logarithm) {
+        places_.push_back(side * radius * std::exp(logarithm));
+        return Side::Values::Zero();
+      });
+  }
+
+  /// The sum at all places, those ahead first.
+  Eigen::ArrayXd sum(const std::vector<Part>& parts) {
+    Eigen::ArrayXd values = Eigen::ArrayXd::Zero(static_cast<Eigen::Index>(places_.size()));
+    for (const Part& part : parts) {
+      values -= part.pole / M_PI * at_places(poles_, part.length, mean_of_pole);
+      if (part.jump != 0) values += part.jump * at_places(forces_, part.length, remembered_force);
+    }
+    return values;
+  }
+
+  // Slopes are singular at pi i of the logarithm: a term of their series is 1/12.6 of the one before.
+  static constexpr int degree = 13;
+  std::vector<double> borders;  // of panels in ln|x/R|
+
+ private:
+  using Known = std::map<double, Eigen::ArrayXd>;
+
+  const Eigen::ArrayXd& at_places(Known& known, double length, double (*function)(double, double)) {
+    const auto [found, made] = known.try_emplace(length);
+    if (!made) return found->second;
+    const Eigen::Map<const Eigen::ArrayXd> x(places_.data(), static_cast<Eigen::Index>(places_.size()));
+    return found->second = x.unaryExpr([&](double place) { return function(place, length); });
+  }
+
+  static constexpr double width_ = 1;
+  std::vector<double> places_;
+  Known poles_, forces_;
+};
+
 RingCurvature RingCurvature::over(const CreepSpectrum& deep) const {
   if (none()) return {};
   const CreepSpectrum& own = ring_.material;
@@ -170,23 +215,30 @@ RingCurvature RingCurvature::over(const CreepSpectrum& deep) const {
       quotient.material.terms.push_back({residue, term.time});
   }
   RingCurvature over(quotient, speed_, of_, coating_);
-  if (!quotient.material.terms.empty() || of_ == Of::shear) over.tabulate();
+  TabledParts tabled(ring_.radius);
+  if (!quotient.material.terms.empty() || of_ == Of::shear) over.tabulate(tabled);
   return over;
 }
 
-void RingCurvature::tabulate() {
-  // Slopes are singular at pi i of the logarithm: a term of their series is 1/12.6 of the one before.
-  constexpr double width = 1;
-  constexpr int degree = 13;
-  std::vector<double> borders{0};
-  while (borders.back() > std::log(nearest_tabled)) borders.push_back(borders.back() - width);
-  std::reverse(borders.begin(), borders.end());
-  const auto side = [&](double sign) {
-    return Side(borders, degree, [&](double logarithm) {
-      return Side::Values::Constant(sum_of_parts(sign * ring_.radius * std::exp(logarithm)));
-    });
+void RingCurvature::tabulate(TabledParts& tabled) {
+  const Eigen::ArrayXd values = tabled.sum(parts_);
+  Eigen::Index next = 0;
+  const auto side = [&] {
+    return Side(tabled.borders, TabledParts::degree, [&](double) { return Side::Values::Constant(values(next++)); });
   };
-  sides_ = std::make_shared<const std::array<Side, 2>>(std::array{side(1), side(-1)});
+  Side ahead = side();
+  sides_ = std::make_shared<const std::array<Side, 2>>(std::array{std::move(ahead), side()});
+}
+
+std::vector<RingCurvature> RingCurvature::remembered(const std::vector<double>& lengths) const {
+  std::vector<RingCurvature> all;
+  if (none()) return all;
+  TabledParts tabled(ring_.radius);
+  for (const double length : lengths) {
+    all.push_back(remembered(length));
+    all.back().tabulate(tabled);
+  }
+  return all;
 }
 
 RingCurvature RingCurvature::remembered(double length) const {
@@ -200,9 +252,7 @@ RingCurvature RingCurvature::remembered(double length) const {
     seen.material.terms[0].compliance += term.compliance * time / apart;
     seen.material.terms.push_back({-term.compliance * term.time / apart, term.time});
   }
-  RingCurvature curvature(seen, speed_, of_, coating_);
-  curvature.tabulate();
-  return curvature;
+  return {seen, speed_, of_, coating_};
 }
 
 complex RingCurvature::operator()(double wavenumber) const {

@@ -56,8 +56,8 @@ class RingCurvature {
 
   /// The same over a spectrum whose terms have all the ring's times, as a sum over its relaxation times [1].
   RingCurvature over(const CreepSpectrum& deep) const;
-  /// Seen through a memory, R_T of it: T in m, not 0.
-  RingCurvature remembered(double length) const;
+  /// Seen through memories, R_T of it for each of these lengths T [m], not 0.
+  std::vector<RingCurvature> remembered(const std::vector<double>& lengths) const;
 
   /// What it adds to k c_ww or to k c_hoop at a wavenumber along the motion [1/Pa].
   std::complex<double> operator()(double wavenumber) const;
@@ -78,8 +78,10 @@ class RingCurvature {
     double length;      // T [m]
     double pole, jump;  // a, b [1/Pa]
   };
+  class TabledParts;
   void make_series();
-  void tabulate();
+  void tabulate(TabledParts& tabled);
+  RingCurvature remembered(double length) const;
   double sum_of_parts(double x) const;
 
   MediumLayer ring_{0, 0.5, 0, {}};

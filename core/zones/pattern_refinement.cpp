@@ -146,12 +146,8 @@ bool PatternRefinement::solve_order(Rise& rise) {
   const auto order = static_cast<int>(rise.coefficients);
   const double work = work_of(problem_, rise.pattern, order);
   if (work_ + 3 * work > rise.most) return false;
-  const int used = rise.search.evaluations();
-  std::optional<SpectralState> state =
-      find_with_coating(rise.search, rise.edges, order, rise.residual,
-                        std::min(static_cast<int>((rise.most - work_) / work), last_ ? 400 : most_to_find));
-  evaluations_ += rise.search.evaluations() - used;
-  work_ += work * (rise.search.evaluations() - used);
+  const int affordable = std::min(static_cast<int>((rise.most - work_) / work), last_ ? 400 : most_to_find);
+  std::optional<SpectralState> state = searched(rise, rise.edges, order, rise.residual, affordable);
   if (!state) return false;
   rise.edges = state->edges;
   const double resistance = resistance_of(*state, model_.radius);
@@ -193,10 +189,7 @@ PatternRefinement::Verdict PatternRefinement::judge(Rise& rise) {
   if (!rise.enough && (rise.checked || !(rise.error < first_check)))
     return rise.costly && rise.told.order >= should_fall && !rise.falling ? Verdict::refuted : Verdict::next_order;
   rise.checked = true;
-  if (!driven()) {  // M and N matter to R_r alone: orders before told its change without theirs
-    take_coating(*last_);
-    rise.told.resistance = rise.before = resistance_of(*last_, model_.radius);
-  }
+  settle_coating(rise);
   work_ += work_of_check(problem_, rise.pattern, rise.told.order, rise.edges.contact.half_length());
   AssessedSpectral assessed = assess(problem_, *last_);
   const bool lawful = accuracy_.in_its_zones(*last_, assessed, rise.told.order);
@@ -223,7 +216,7 @@ PatternRefinement::Verdict PatternRefinement::judge(Rise& rise) {
 /// A tolerance beyond what rounding and work allow leaves the best answer, better than any grid's.
 bool PatternRefinement::take_last_order(Rise& rise) {
   if (!last_ || !(rise.told.error <= std::max(finer_than_grids, model_.tolerance.value_or(0)))) return false;
-  if (!driven()) take_coating(*last_);
+  settle_coating(rise);
   AssessedSpectral assessed = assess(problem_, *last_);
   return keep_best(assessed, rise);
 }
@@ -238,21 +231,24 @@ double PatternRefinement::take_coating(SpectralState& state) {
   return coating_in_drive(model_, change);
 }
 
-bool PatternRefinement::driven() const { return model_.friction_coefficient > 0 && model_.drive != Drive::rotation; }
-
-/// The search, and again while the drive's row knows another M and N than the tractions make: these hardly depend on
-/// it.
-std::optional<SpectralState> PatternRefinement::find_with_coating(EdgeSearch& search, SpectralEdges edges, int order,
-                                                                  double residual, int most_evaluations) {
+/// Makes the last state one whose M and N are those of its own tractions: orders before told their changes without,
+/// since these hardly depend on them. Where the drive asks for their sum, the search goes on until it knows them.
+void PatternRefinement::settle_coating(Rise& rise) {
   constexpr int most_passes = 8;
-  constexpr double negligible = 0.02 * largest_violation;  // of the load
+  if (!problem_.coating) return;
+  // Of the load: a part of what the laws are held to, and of the error that is wanted.
+  const double of_error = 0.01 * accuracy_.tolerance() * rise.told.scale / last_->load;
+  const double negligible = std::clamp(of_error, 0.02 * largest_violation, 0.2 * largest_violation);
+  const bool driven = model_.friction_coefficient > 0 && model_.drive != Drive::rotation;
   for (int pass = 1;; ++pass) {
-    std::optional<SpectralState> state = search.find(edges, {order, order}, residual, most_evaluations);
-    if (!state || !driven()) return state;
-    const double change = take_coating(*state);
-    if (std::abs(change) <= negligible * state->load || pass == most_passes) return state;
-    edges = state->edges;
+    const double change = take_coating(*last_);
+    if (!driven || std::abs(change) <= negligible * last_->load || pass == most_passes) break;
+    std::optional<SpectralState> state = searched(rise, last_->edges, rise.told.order, rise.residual, most_to_find);
+    if (!state) break;
+    last_ = std::move(state);
   }
+  rise.edges = last_->edges;
+  rise.told.resistance = rise.before = resistance_of(*last_, model_.radius);
 }
 
 /// Takes the last state for the answer if all laws hold and none before was surer of itself.
@@ -338,14 +334,19 @@ PatternRefinement::Sketch PatternRefinement::sketched(Rise& rise) {
 
 /// Edges at a low order; none if they are not found.
 std::optional<SpectralState> PatternRefinement::edges_at(Rise& rise, const SpectralEdges& start, int order) {
-  const int used = rise.search.evaluations();
-  const double work = work_of(problem_, rise.pattern, order);
   const double residual = order == sketch_orders.front() ? first_sketch_residual : sketch_residual;
-  const int affordable = std::min(most_to_sketch, static_cast<int>((rise.most - work_) / work));
-  std::optional<SpectralState> state = rise.search.find(start, {order, order}, residual, affordable);
+  const double work = work_of(problem_, rise.pattern, order);
+  return searched(rise, start, order, residual, std::min(most_to_sketch, static_cast<int>((rise.most - work_) / work)));
+}
+
+/// The search at an order; its evaluations are counted.
+std::optional<SpectralState> PatternRefinement::searched(Rise& rise, const SpectralEdges& start, int order,
+                                                         double residual, int most_evaluations) {
+  const int used = rise.search.evaluations();
+  std::optional<SpectralState> state = rise.search.find(start, {order, order}, residual, most_evaluations);
   const int spent = rise.search.evaluations() - used;
   evaluations_ += spent;
-  work_ += work * spent;
+  work_ += work_of(problem_, rise.pattern, order) * spent;
   return state;
 }
 

@@ -57,8 +57,9 @@ class PatternRefinement {
   bool solve_order(Rise& rise);
   Verdict judge(Rise& rise);
   bool take_last_order(Rise& rise);
-  std::optional<SpectralState> find_with_coating(EdgeSearch& search, SpectralEdges edges, int order, double residual,
-                                                 int most_evaluations);
+  void settle_coating(Rise& rise);
+  std::optional<SpectralState> searched(Rise& rise, const SpectralEdges& start, int order, double residual,
+                                        int most_evaluations);
 
   Sketch sketched(Rise& rise);
   std::optional<SpectralState> edges_at(Rise& rise, const SpectralEdges& start, int order);
@@ -71,8 +72,6 @@ class PatternRefinement {
   }
 
   bool dear_ring() const;
-  /// Whether the drive asks for a sum of the tractions, of which the coating's M and N are part.
-  bool driven() const;
   double held_violation() const { return model_.ring() ? borne_violation : largest_violation; }
 
   const ContactModel& model_;

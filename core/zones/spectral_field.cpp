@@ -67,6 +67,19 @@ Lanes density_sum(const VectorXd& c, const Lanes& t, Index first) {
   return (t.abs() < 1).select(harmonic_sum(c, t, before, here), 0.0);
 }
 
+/// A density at places x, from those of a zone.
+template <class Density>
+ArrayXd by_lanes(const Interval& zone, const ArrayXd& x, const Density& density) {
+  ArrayXd values(x.size());
+  for (Index first = 0; first < x.size(); first += Lanes::SizeAtCompileTime) {
+    const Index count = std::min<Index>(x.size() - first, Lanes::SizeAtCompileTime);
+    Lanes t = Lanes::Zero();
+    for (Index k = 0; k < count; ++k) t(k) = place_in(zone, x(first + k));
+    values.segment(first, count) = density(t).head(count);
+  }
+  return values;
+}
+
 }  // namespace
 
 SpectralField::Tails SpectralField::tails_of(const SpectralProblem& problem, const SpectralDensity& density,
@@ -134,23 +147,29 @@ double SpectralField::pressure(double x) const {
 }
 
 ArrayXd SpectralField::pressure(const ArrayXd& x) const {
-  ArrayXd values(x.size());
-  for (Index first = 0; first < x.size(); first += Lanes::SizeAtCompileTime) {
-    const Index count = std::min<Index>(x.size() - first, Lanes::SizeAtCompileTime);
-    if (state_.graded) {
-      for (Index k = first; k < first + count; ++k) values(k) = state_.graded->pressure_at(x(k));
-      continue;
-    }
-    Lanes t = Lanes::Zero();
-    for (Index k = 0; k < count; ++k) t(k) = place_in(state_.edges.contact, x(first + k));
-    const Lanes sum = density_sum(state_.pressure.coefficients, t, 1) +
-                      2 * density_sum(contact_tails_.left, t, contact_tails_.kept.size());
-    values.segment(first, count) = sum.head(count);
-  }
-  return values;
+  if (state_.graded) return x.unaryExpr([&](double place) { return state_.graded->pressure_at(place); });
+  return by_lanes(state_.edges.contact, x, [&](const Lanes& t) -> Lanes {
+    return density_sum(state_.pressure.coefficients, t, 1) +
+           2 * density_sum(contact_tails_.left, t, contact_tails_.kept.size());
+  });
 }
 
 double SpectralField::shear(double x) const { return shear(x, pressure(x)); }
+
+ArrayXd SpectralField::shear(const ArrayXd& x, const ArrayXd& pressure_there) const {
+  ArrayXd values = ArrayXd::Zero(x.size());
+  if (!state_.pattern.shear) return values;
+  for (Index k = 0; k < x.size(); ++k)
+    values(k) = state_.graded ? state_.graded->shear_at(x(k)) : friction_ * base_->direction(x(k)) * pressure_there(k);
+  if (state_.graded) return values;
+  for (std::size_t z = 0; z < state_.sticks.size(); ++z) {
+    const Tails& tails = stick_tails_[z];
+    values += by_lanes(state_.edges.sticks[z], x, [&](const Lanes& t) -> Lanes {
+      return density_sum(state_.sticks[z].coefficients, t, 1) - 2 * density_sum(tails.left, t, tails.kept.size());
+    });
+  }
+  return values;
+}
 
 double SpectralField::shear(double x, double pressure_there) const {
   if (!state_.pattern.shear) return 0;

@@ -21,6 +21,7 @@ class SpectralField {
   Eigen::ArrayXd pressure(const Eigen::ArrayXd& x) const;
   double shear(double x) const;  // (S15) [Pa]
   double shear(double x, double pressure_there) const;
+  Eigen::ArrayXd shear(const Eigen::ArrayXd& x, const Eigen::ArrayXd& pressure_there) const;
   Zone zone(double x) const;
 
   /// Slopes dw/dx, du/dx of a layer of unit modulus.

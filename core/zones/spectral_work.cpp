@@ -5,13 +5,22 @@
 
 namespace rollres {
 
+namespace {
+
+constexpr double per_memory_of_rings = 0.03;  // of what an evaluation takes without
+
+}  // namespace
+
 double work_of(const SpectralProblem& problem, const SlipPattern& pattern, int order) {
   if (problem.graded(pattern.shear)) {
     const double nodes = order * (1 + 2.5 * static_cast<double>(pattern.sticks())) / 100;
     return 0.6 * nodes * nodes * (nodes + 1);
   }
   const double unknowns = order * (1 + static_cast<double>(pattern.sticks())) / 100;
-  return (pattern.one_direction() ? 1.5 : 8) * unknowns * (unknowns + 0.5);
+  // A ring's curvature has all its memories.
+  const double memories =
+      problem.curved(pattern.shear) ? 1 + per_memory_of_rings * static_cast<double>(problem.terms()) : 1;
+  return memories * (pattern.one_direction() ? 1.5 : 8) * unknowns * (unknowns + 0.5);
 }
 
 double work_of_check(const SpectralProblem& problem, const SlipPattern& pattern, int order, double half_length) {

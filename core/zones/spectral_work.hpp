@@ -11,9 +11,8 @@ namespace rollres {
 inline constexpr double most_work = 800;
 /// Times as much where a grid would need so much more: compressible layers and inertia.
 inline constexpr double graded_share = 4;
-/// And a tenth where a ring that remembers is sheared and no tolerance is asked for: an evaluation takes ten times as
-/// long, as the ring's curvature has all its memories. (Of 80 random coated wheels 33 are solved within it, 34 with
-/// all of the work.)
+/// And a tenth where a ring that remembers is sheared and no tolerance is asked for. (Of 80 random coated wheels 33 are
+/// solved within it, 34 with all of the work.)
 inline constexpr double share_of_rings = 0.1;
 
 /// Work of an evaluation. Systems with slip in both directions take a base of their own (sliding_base.hpp) and, for the

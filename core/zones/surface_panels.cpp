@@ -140,7 +140,7 @@ SurfacePanel loaded_panel(const SpectralField& field, double from, double to) {
   panel.x(PanelRule::last) = from;
   if (panel.zone == Zone::free) return panel;
   panel.pressure = field.pressure(panel.x);
-  for (int k = 0; k < PanelRule::count; ++k) panel.shear(k) = field.shear(panel.x(k), panel.pressure(k));
+  panel.shear = field.shear(panel.x, panel.pressure);
   return panel;
 }
 

@@ -59,7 +59,7 @@ TEST_CASE("a ring's curvature over a spectrum, and seen through a memory, are qu
   deep.terms.insert(deep.terms.begin() + 1, {0.4, 0.3});
   const double speed = 0.8, length = 0.7;
   const RingCurvature curvature(cover(0.3), speed, of, true), over = curvature.over(deep),
-                                                              seen = over.remembered(length);
+                                                              seen = over.remembered({length}).front();
   for (const double k : {0.01, 0.7, 5.0, 300.0}) {
     const std::complex<double> quotient = curvature(k) / deep(-k * speed);
     CHECK(std::abs(over(k) - quotient) < 1e-12 * std::abs(quotient));
