@@ -235,13 +235,13 @@ std::vector<RingCurvature> RingCurvature::remembered(const std::vector<double>& 
   if (none()) return all;
   TabledParts tabled(ring_.radius);
   for (const double length : lengths) {
-    all.push_back(remembered(length));
+    all.push_back(seen_through(length));
     all.back().tabulate(tabled);
   }
   return all;
 }
 
-RingCurvature RingCurvature::remembered(double length) const {
+RingCurvature RingCurvature::seen_through(double length) const {
   // 1/((1 + sT)(1 + s rho)) = [T/(1 + sT) - rho/(1 + s rho)]/(T - rho)
   MediumLayer seen = ring_;
   const double time = length / speed_;

@@ -81,7 +81,7 @@ class RingCurvature {
   class TabledParts;
   void make_series();
   void tabulate(TabledParts& tabled);
-  RingCurvature remembered(double length) const;
+  RingCurvature seen_through(double length) const;
   double sum_of_parts(double x) const;
 
   MediumLayer ring_{0, 0.5, 0, {}};
