@@ -98,6 +98,19 @@ ContactModel coating_alone(const ContactModel& model) {
   return alone;
 }
 
+ContactModel foundation_alone(const ContactModel& model) {
+  ContactModel alone = model;
+  alone.coating.clear();
+  alone.estimate.reset();
+  alone.coating_share.reset();
+  return alone;
+}
+
+bool has_elastic_foundation(const ContactModel& model) {
+  return std::all_of(model.foundation.begin(), model.foundation.end(),
+                     [](const ModelLayer& layer) { return layer.creep.terms.empty(); });
+}
+
 double share_of_coating(const ContactModel& model, double half_width) {
   if (model.coating.empty()) return 0;
   const auto yields = [&](const LayeredMedium& medium) {

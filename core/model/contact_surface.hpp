@@ -41,6 +41,10 @@ SteadySurface steady_surface(const ContactModel& model, const MemoryRange& told_
 /// The coating as a layer on a rigid base that flows at |R Omega|, which answers as the coating does, but for shear and
 /// displacements along the surface, which are opposite. A coating at rest is elastic. @pre there is a coating
 ContactModel coating_alone(const ContactModel& model);
+/// What lies under the body, under a rigid one. @pre there is a coating
+ContactModel foundation_alone(const ContactModel& model);
+/// Whether it remembers nothing.
+bool has_elastic_foundation(const ContactModel& model);
 
 /// The coating's share of what a contact of this half-width [m] yields under pressure in passage, 0 without one: at a
 /// wavenumber of one over the half-width, and at the speed's frequency [1].

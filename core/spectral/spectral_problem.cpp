@@ -159,8 +159,9 @@ SpectralProblem::SpectralProblem(const ContactModel& given, const CreepSpectrum&
     relaxation_modulus.push_back(term.modulus);
   }
   if (!model.coating.empty()) {
-    const ContactModel alone = coating_alone(model);
-    coating = std::make_shared<SpectralProblem>(alone, near_spectrum(alone), half_width);
+    side_is_coating = model.friction_coefficient > 0 || !has_elastic_foundation(model);
+    const ContactModel alone = side_is_coating ? coating_alone(model) : foundation_alone(model);
+    side = std::make_shared<SpectralProblem>(alone, near_spectrum(alone), half_width);
   }
   const auto count = static_cast<double>(terms());
   require_memory(8 * count * count, message_text("the memories of ", terms(), " retardation times"));

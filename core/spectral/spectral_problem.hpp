@@ -37,8 +37,12 @@ struct SpectralProblem {
   std::shared_ptr<const DeepResponse> deep;                   // what short waves make of tractions
   bool inertia;                                               // of the layers, is part of it
   std::shared_ptr<const SlopeCorrection> correction;          // none for a half-space
-  std::shared_ptr<const SpectralProblem> coating;             // alone, if there is one (`coating_alone`)
-  CoatingMoments coating_moments;                             // M and N of (S18), as far as they are known [N/m]
+  /// With a coating one of the two sides alone: the coating, or without friction the foundation where that remembers
+  /// nothing, which costs less. What the coating then yields is the rest: with friction the search for zones needs it
+  /// before the slopes are those of the body.
+  std::shared_ptr<const SpectralProblem> side;
+  bool side_is_coating = true;
+  CoatingMoments coating_moments;  // M and N of (S18), as far as they are known [N/m]
 
   /// Whether pressure and shear, if there is any, are coupled in short waves, or these remember (section 9).
   bool graded(bool shear) const { return inertia || (shear && deep->cross() != 0); }

@@ -21,7 +21,7 @@ std::vector<double> ends_of_zones(const SpectralEdges& edges);
 class AddedSlopes {
  public:
   /// Between these places; elsewhere, and where there would be more nodes than `most`, it is summed anew.
-  /// @param part of what yields: the field's problem, or its coating
+  /// @param part of what yields: the field's problem, or one side of it
   AddedSlopes(const SpectralProblem& part, const SpectralField& field, const SpectralEdges& edges, double from,
               double to, std::size_t most);
 

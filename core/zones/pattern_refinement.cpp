@@ -148,16 +148,17 @@ bool PatternRefinement::solve_order(Rise& rise) {
   if (work_ + 3 * work > rise.most) return false;
   const int affordable = std::min(static_cast<int>((rise.most - work_) / work), last_ ? 400 : most_to_find);
   std::optional<SpectralState> state = searched(rise, rise.edges, order, rise.residual, affordable);
-  if (!state) return false;
-  rise.edges = state->edges;
-  const double resistance = resistance_of(*state, model_.radius);
-  const double tail = state->graded ? accuracy_.tail(order) : relative_tail(*state);
-  const double lever = lever_of(*state, model_.radius), scale = scale_of(*state, model_.radius);
+  if (!state || (driven() && !settle_coating(rise, order, *state))) return false;
+  last_ = std::move(state);
+  rise.edges = last_->edges;
+  const double resistance = resistance_of(*last_, model_.radius);
+  const double tail = last_->graded ? accuracy_.tail(order) : relative_tail(*last_);
+  const double lever = lever_of(*last_, model_.radius), scale = scale_of(*last_, model_.radius);
   const double change = std::abs(resistance - rise.before) / scale;
   // Of graded points the changes may pass through zero: then what the one before let expect counts.
   const double expected = rise.graded ? std::max(change, rise.coming) : change;
   const double falls = std::min(1.0, tail / rise.tail_before);
-  rise.error = expected * falls + (1e-15 + state->residuals.cwiseAbs().maxCoeff()) * lever / scale;
+  rise.error = expected * falls + (1e-15 + last_->residuals.cwiseAbs().maxCoeff()) * lever / scale;
   // With all coefficients there, repeated changes tell better what residuals at the limit of rounding do.
   if (std::max(tail, rise.tail_before) < rounded_tail)
     rise.error = std::min(rise.error, 10 * std::max(change, rise.change_before));
@@ -178,7 +179,6 @@ bool PatternRefinement::solve_order(Rise& rise) {
   rise.before = resistance;
   rise.change_before = change;
   rise.tail_before = tail;
-  last_ = std::move(state);
   return true;
 }
 
@@ -189,7 +189,7 @@ PatternRefinement::Verdict PatternRefinement::judge(Rise& rise) {
   if (!rise.enough && (rise.checked || !(rise.error < first_check)))
     return rise.costly && rise.told.order >= should_fall && !rise.falling ? Verdict::refuted : Verdict::next_order;
   rise.checked = true;
-  settle_coating(rise);
+  settle_last(rise);
   work_ += work_of_check(problem_, rise.pattern, rise.told.order, rise.edges.contact.half_length());
   AssessedSpectral assessed = assess(problem_, *last_);
   const bool lawful = accuracy_.in_its_zones(*last_, assessed, rise.told.order);
@@ -216,13 +216,13 @@ PatternRefinement::Verdict PatternRefinement::judge(Rise& rise) {
 /// A tolerance beyond what rounding and work allow leaves the best answer, better than any grid's.
 bool PatternRefinement::take_last_order(Rise& rise) {
   if (!last_ || !(rise.told.error <= std::max(finer_than_grids, model_.tolerance.value_or(0)))) return false;
-  settle_coating(rise);
+  settle_last(rise);
   AssessedSpectral assessed = assess(problem_, *last_);
   return keep_best(assessed, rise);
 }
 
 double PatternRefinement::take_coating(SpectralState& state) {
-  if (!problem_.coating) return 0;
+  if (!problem_.side) return 0;
   const CoatingMoments before = problem_.coating_moments, now = coating_moments(problem_, state);
   const CoatingMoments change{now.pressed - before.pressed, now.sheared - before.sheared};
   problem_.coating_moments = now;
@@ -231,24 +231,28 @@ double PatternRefinement::take_coating(SpectralState& state) {
   return coating_in_drive(model_, change);
 }
 
-/// Makes the last state one whose M and N are those of its own tractions: orders before told their changes without,
-/// since these hardly depend on them. Where the drive asks for their sum, the search goes on until it knows them.
-void PatternRefinement::settle_coating(Rise& rise) {
-  constexpr int most_passes = 8;
-  if (!problem_.coating) return;
-  // Of the load: a part of what the laws are held to, and of the error that is wanted.
-  const double of_error = 0.01 * accuracy_.tolerance() * rise.told.scale / last_->load;
-  const double negligible = std::clamp(of_error, 0.02 * largest_violation, 0.2 * largest_violation);
-  const bool driven = model_.friction_coefficient > 0 && model_.drive != Drive::rotation;
-  for (int pass = 1;; ++pass) {
-    const double change = take_coating(*last_);
-    if (!driven || std::abs(change) <= negligible * last_->load || pass == most_passes) break;
-    std::optional<SpectralState> state = searched(rise, last_->edges, rise.told.order, rise.residual, most_to_find);
-    if (!state) break;
-    last_ = std::move(state);
-  }
-  rise.edges = last_->edges;
+bool PatternRefinement::driven() const { return model_.friction_coefficient > 0 && model_.drive != Drive::rotation; }
+
+/// Where the drive does not ask for M and N they matter to R_r alone: orders tell its changes without their own.
+void PatternRefinement::settle_last(Rise& rise) {
+  if (driven()) return;
+  take_coating(*last_);
   rise.told.resistance = rise.before = resistance_of(*last_, model_.radius);
+}
+
+/// Makes a state one whose M and N are those that the drive's row knows: the search goes on, as they hardly depend on
+/// it. @return false where it leads nowhere
+bool PatternRefinement::settle_coating(Rise& rise, int order, SpectralState& state) {
+  constexpr int most_passes = 8;
+  constexpr double negligible = 0.02 * largest_violation;  // of the load
+  for (int pass = 1; problem_.side; ++pass) {
+    const double change = take_coating(state);
+    if (std::abs(change) <= negligible * state.load || pass == most_passes) break;
+    std::optional<SpectralState> next = searched(rise, state.edges, order, rise.residual, most_to_find);
+    if (!next) return false;
+    state = *std::move(next);
+  }
+  return true;
 }
 
 /// Takes the last state for the answer if all laws hold and none before was surer of itself.

@@ -57,7 +57,8 @@ class PatternRefinement {
   bool solve_order(Rise& rise);
   Verdict judge(Rise& rise);
   bool take_last_order(Rise& rise);
-  void settle_coating(Rise& rise);
+  bool settle_coating(Rise& rise, int order, SpectralState& state);
+  void settle_last(Rise& rise);
   std::optional<SpectralState> searched(Rise& rise, const SpectralEdges& start, int order, double residual,
                                         int most_evaluations);
 
@@ -72,6 +73,8 @@ class PatternRefinement {
   }
 
   bool dear_ring() const;
+  /// Whether the drive asks for a sum of the tractions, of which the coating's M and N are part.
+  bool driven() const;
   double held_violation() const { return model_.ring() ? borne_violation : largest_violation; }
 
   const ContactModel& model_;

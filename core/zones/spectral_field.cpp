@@ -112,7 +112,7 @@ SpectralField::SpectralField(const SpectralProblem& problem, const SpectralState
   if (state.graded) return;
   const double finest = finest_distance(state.edges.contact, state.pressure.coefficients.size());
   if (problem.layered()) of_surface_ = problem.correction->logarithms(finest);
-  if (problem.coating && problem.coating->layered()) of_coating_ = problem.coating->correction->logarithms(finest);
+  if (problem.side && problem.side->layered()) of_side_ = problem.side->correction->logarithms(finest);
   for (std::size_t z = 0; z < state.sticks.size(); ++z)
     stick_tails_.push_back(tails_of(problem, state.sticks[z], state.edges.sticks[z].half_length()));
   if (state.pattern.shear)
@@ -208,7 +208,7 @@ SpectralField::Slopes SpectralField::added_slopes(const SpectralProblem& part, d
   if (!part.layered()) return {0, 0};
   Slopes sum = sum_of_sources(part, x, [&](double r) { return part.correction->slope(r); });
   if (state_.graded) return sum;
-  const RingLogarithms& logarithms = &part == problem_.coating.get() ? of_coating_ : of_surface_;
+  const RingLogarithms& logarithms = &part == problem_.side.get() ? of_side_ : of_surface_;
   if (logarithms.normal.none()) return sum;
   const MissedSlopes missed = missed_slopes(logarithms, state_.runs, state_.sources, x);
   sum.w -= missed.normal.dot(state_.pressure_forces.head(missed.normal.size()));

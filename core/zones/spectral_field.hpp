@@ -31,17 +31,19 @@ class SpectralField {
   Slopes elastic_slopes(double x) const { return elastic_slopes(x, added_slopes(problem_, x)); }
   /// The same with what finite thickness adds, a smooth function of x, known.
   Slopes elastic_slopes(double x, const Slopes& added) const;
-  /// @param part of what yields: the field's problem, or its coating
+  /// @param part of what yields: the field's problem, or one side of it
   Slopes added_slopes(const SpectralProblem& part, double x) const;
 
   /// Well ahead of the contact, where points stand for the tractions: means R_{T_term} of those slopes, and the
-  /// displacements w and u of the surface or of its coating's part [m], 0 over a half-space.
+  /// displacements w and u of the surface or of a side's part [m], 0 over a half-space.
   Slopes remembered_ahead(const SpectralProblem& part, std::size_t term, double x) const;
   Slopes displacement_ahead(const SpectralProblem& part, double x) const;
 
  private:
   /// Of a part's cross terms: those of a coating are opposite (steady_surface.hpp).
-  double side_of(const SpectralProblem& part) const { return &part == problem_.coating.get() ? -1 : 1; }
+  double side_of(const SpectralProblem& part) const {
+    return &part == problem_.side.get() && problem_.side_is_coating ? -1 : 1;
+  }
   /// By the kernel of a part.
   template <class Kernel>
   Slopes sum_of_sources(const SpectralProblem& part, double x, Kernel kernel) const;
@@ -63,7 +65,7 @@ class SpectralField {
   Tails contact_tails_;
   std::vector<Tails> stick_tails_;
   std::optional<SlidingBase> base_;
-  RingLogarithms of_surface_, of_coating_;
+  RingLogarithms of_surface_, of_side_;
 };
 
 }  // namespace rollres

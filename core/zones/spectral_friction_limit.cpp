@@ -39,7 +39,7 @@ double sliding_surplus(const SpectralProblem& given, const Interval& contact, do
   const std::optional<SpectralState> state = EdgeSearch(problem, sliding).find(start, {order, order}, 1e-10);
   if (!state || pulls(problem, *state)) return NAN;
   double surplus = drive_row(problem.model, state->driving_torque, state->driving_force) - drive_target(problem.model);
-  if (problem.coating) {
+  if (problem.side) {
     surplus += coating_in_drive(problem.model, coating_moments(problem, *state)) -
                coating_in_drive(problem.model, problem.coating_moments);
   }

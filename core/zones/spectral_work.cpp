@@ -7,7 +7,7 @@ namespace rollres {
 
 namespace {
 
-constexpr double per_memory_of_rings = 0.03;  // of what an evaluation takes without
+constexpr double per_memory_of_rings = 0.01;  // of what an evaluation takes without
 
 }  // namespace
 

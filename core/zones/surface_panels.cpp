@@ -216,7 +216,7 @@ double SurfacePanel::at(const ArrayXd& values, double position) const {
 
 namespace {
 
-/// Slopes of the surface, or of its coating's part, panel by panel in the direction of time.
+/// Slopes of the surface, or of a side's part, panel by panel in the direction of time.
 class MarchedSlopes {
  public:
   /// @param end  trailing end of the last panel that is asked for [m]
@@ -250,15 +250,21 @@ class SumOfMoments {
  public:
   /// @param ahead the leading end of the first panel [m]
   SumOfMoments(const SpectralProblem& problem, const SpectralField& field, double ahead)
-      : over_radius_(problem.model.ring() && problem.model.friction_coefficient > 0 ? 1 / problem.model.radius : 0) {
-    if (over_radius_ > 0) w_ = field.displacement_ahead(*problem.coating, ahead).w;
+      : problem_(problem),
+        over_radius_(problem.model.ring() && problem.model.friction_coefficient > 0 ? 1 / problem.model.radius : 0) {
+    if (over_radius_ > 0) w_ = field.displacement_ahead(*problem.side, ahead).w;
   }
 
-  void add(const SurfacePanel& panel, const ArrayXd& coating_w) {
+  /// @param side_w  slopes of the side that is known
+  void add(const SurfacePanel& panel, const ArrayXd& side_w) {
     const bool contact = panel.zone != Zone::free;
-    if (contact) moments.pressed += (panel.weights * panel.pressure * coating_w).sum();
+    if (contact && problem_.side_is_coating) moments.pressed += (panel.weights * panel.pressure * side_w).sum();
+    if (contact && !problem_.side_is_coating) {
+      const ArrayXd whole = panel.x.unaryExpr([&](double x) { return problem_.shape.slope(x); });
+      moments.pressed += (panel.weights * panel.pressure * (whole - side_w)).sum();
+    }
     if (over_radius_ == 0) return;
-    const ArrayXd moved = w_ + panel.integrated(coating_w);
+    const ArrayXd moved = w_ + panel.integrated(side_w);
     if (contact) moments.sheared += over_radius_ * (panel.weights * panel.shear * moved).sum();
     w_ = moved(PanelRule::last);
   }
@@ -266,6 +272,7 @@ class SumOfMoments {
   CoatingMoments moments;
 
  private:
+  const SpectralProblem& problem_;
   double over_radius_, w_ = 0;  // of a ring with friction; the coating's part of w [m]
 };
 
@@ -275,18 +282,18 @@ std::vector<SurfacePanel> surface_panels(const SpectralProblem& problem, const S
                                          const SpectralField& field) {
   const std::vector<double> borders = panel_borders(problem, state);
   MarchedSlopes surface(problem, problem, state, field, borders, borders.back());
-  std::optional<MarchedSlopes> coating;
-  if (problem.coating) coating.emplace(problem, *problem.coating, state, field, borders, borders.back());
+  std::optional<MarchedSlopes> side;
+  if (problem.side) side.emplace(problem, *problem.side, state, field, borders, borders.back());
   std::vector<SurfacePanel> panels;
   for (std::size_t i = 1; i < borders.size(); ++i) {
     SurfacePanel panel = loaded_panel(field, borders[i], borders[i - 1]);
     const MatrixXd slopes = surface.next(panel);
     panel.slope_w = slopes.col(0);
     panel.slope_u = slopes.col(1);
-    if (coating) {
-      const MatrixXd part = coating->next(panel);
-      panel.coating_w = part.col(0);
-      panel.coating_u = part.col(1);
+    if (side) {
+      const MatrixXd part = side->next(panel), coating = problem.side_is_coating ? part : MatrixXd(slopes - part);
+      panel.coating_w = coating.col(0);
+      panel.coating_u = coating.col(1);
     }
     panels.push_back(std::move(panel));
   }
@@ -296,22 +303,23 @@ std::vector<SurfacePanel> surface_panels(const SpectralProblem& problem, const S
 
 CoatingMoments coating_moments(const SpectralProblem& problem, const SpectralField& field,
                                const std::vector<SurfacePanel>& panels) {
-  if (!problem.coating) return {};
+  if (!problem.side) return {};
   SumOfMoments sum(problem, field, panels.front().to);
-  for (const SurfacePanel& panel : panels) sum.add(panel, panel.coating_w);
+  for (const SurfacePanel& panel : panels)
+    sum.add(panel, problem.side_is_coating ? panel.coating_w : ArrayXd(panel.slope_w - panel.coating_w));
   return sum.moments;
 }
 
 CoatingMoments coating_moments(const SpectralProblem& problem, const SpectralState& state) {
-  if (!problem.coating) return {};
+  if (!problem.side) return {};
   const SpectralField field(problem, state);
   const std::vector<double> borders = panel_borders(problem, state);
   const double end = state.edges.contact.from;
-  MarchedSlopes coating(problem, *problem.coating, state, field, borders, end);
+  MarchedSlopes side(problem, *problem.side, state, field, borders, end);
   SumOfMoments sum(problem, field, borders.front());
   for (std::size_t i = 1; i < borders.size() && borders[i] >= end; ++i) {
     const SurfacePanel panel = loaded_panel(field, borders[i], borders[i - 1]);
-    sum.add(panel, coating.next(panel).col(0));
+    sum.add(panel, side.next(panel).col(0));
   }
   return sum.moments;
 }
