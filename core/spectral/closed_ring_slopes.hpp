@@ -13,10 +13,8 @@ namespace rollres {
 
 class ClosedRingSlopes final : public SlopeCorrection {
  public:
-  /// @param passage of the whole surface, once   @param ring alone, on a rigid base   @param radius of its outer face
-  /// [m]
-  /// @param deep the spectrum by which the problem turns elastic slopes into slopes   @param speed of its memories
-  /// [m/s]
+  /// @param passage of the whole surface, once   @param ring alone, on a rigid base   @param radius its outer one [m]
+  /// @param deep the spectrum by which elastic slopes turn into slopes   @param speed by which its times are lengths
   /// @param foundation whether the ring is what the body rolls on, not its coating: cross terms of these are opposite
   /// @param sheared whether the hoop's part is wanted
   ClosedRingSlopes(std::shared_ptr<const SlopeCorrection> passage, const SteadySurface& ring, double radius,
