@@ -66,17 +66,16 @@ class AddedAlongAxle {
   FourierTable table_;
 };
 
-/// What a ring still has of earlier turns. @param alone the ring as a layer on a rigid base
-void add_earlier_turns(InfluenceTable& table, const ContactModel& alone, double cell, const MemoryRange& told_apart,
-                       bool ahead) {
-  const SteadySurface surface = steady_surface(alone, told_apart);
-  const EarlierTurns turns(alone.radius, surface.longest_wave(), 1, 1, [&](double along, std::span<complex> values) {
+/// What a ring still has of earlier turns.
+void add_turns_along_axle(InfluenceTable& table, const ContactModel& model, double cell) {
+  const SteadySurface surface = ring_alone(model);
+  const EarlierTurns turns(model.radius, surface.longest_wave(), 1, 1, [&](double along, std::span<complex> values) {
     values[0] = surface(surface.moduli(along), along, 0).transverse / M_PI;
   });
   InfluenceTable earlier(table.reach_x(), 0);
   for (int column = -table.reach_x(); column <= table.reach_x(); ++column)
     earlier.ww[static_cast<std::size_t>(table.index(column, 0))] = turns(0, column * cell)(0);
-  table.add_coating(ahead ? earlier.reversed() : earlier);
+  table.add_coating(coating_remembers_ahead(model) ? earlier.reversed() : earlier);
 }
 
 }  // namespace
@@ -101,9 +100,7 @@ std::vector<double> axial_coefficients(const ContactModel& model, const SurfaceG
     for (int column = -reach_x; column <= reach_x; ++column)
       table.ww[static_cast<std::size_t>(table.index(column, 0))] += added(column * cell);
   }
-  if (feels_earlier_turns(model))
-    add_earlier_turns(table, model.coating.empty() ? model : coating_alone(model), cell, told_apart,
-                      coating_remembers_ahead(model));
+  if (feels_earlier_turns(model)) add_turns_along_axle(table, model, cell);
   return std::move(table.ww);
 }
 

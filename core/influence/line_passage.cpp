@@ -196,11 +196,11 @@ struct TurnsKey {
   bool operator==(const TurnsKey&) const = default;
 };
 
-/// Displacements by earlier turns, the same for all grids of a scene.
-/// @param alone the ring as a layer on a rigid base, without inertia
-std::shared_ptr<const EarlierTurns> earlier_turns(const ContactModel& alone, const MemoryRange& told_apart) {
+/// Displacements by earlier turns, the same for all grids of a scene: under shear w in place of the cross term. Along
+/// the surface they count from the force, as they are displaced by the mean of all turns besides.
+std::shared_ptr<const EarlierTurns> earlier_turns(const ContactModel& model) {
   static RecentlyMade<TurnsKey, EarlierTurns, 16> cache;
-  const TurnsKey key{steady_surface(alone, told_apart), alone.radius, alone.friction_coefficient > 0};
+  const TurnsKey key{ring_alone(model), model.radius, model.friction_coefficient > 0};
   return cache(key, [&] {
     const SteadySurface& surface = key.surface;
     const auto displacements = [&](double along, std::span<complex> values) {
@@ -208,24 +208,25 @@ std::shared_ptr<const EarlierTurns> earlier_turns(const ContactModel& alone, con
       const SurfaceCompliance c = surface(surface.moduli(along), along, 0);
       values[0] = c.normal / M_PI;
       values[1] = c.longitudinal / M_PI;
-      values[2] = i * c.cross / M_PI;
-      if (values.size() > 3) values[3] = i * c.hoop / M_PI;
+      values[2] = i * (key.sheared ? c.cross + c.hoop : c.cross) / M_PI;
+      if (key.sheared) values[3] = i * c.hoop / M_PI;
     };
-    return EarlierTurns(key.radius, surface.longest_wave(), 1, key.sheared ? 4 : 3, displacements);
+    return EarlierTurns(key.radius, surface.longest_wave(), 1, key.sheared ? 4 : 3, displacements, key.sheared ? 3 : 2);
   });
 }
 
 /// Adds what rings have not recovered from in a turn.
-void add_earlier_turns(InfluenceTable& table, const ContactModel& model, double cell, const MemoryRange& told_apart) {
+void add_earlier_turns(InfluenceTable& table, const ContactModel& model, double cell) {
   if (!feels_earlier_turns(model)) return;
   const bool alone = model.coating.empty();
   const int reach = table.reach_x();
-  const auto turns = earlier_turns(alone ? model : coating_alone(model), told_apart);
+  const auto turns = earlier_turns(model);
   InfluenceTable earlier(reach, 0);
   earlier.bend();
   for (int column = -reach; column <= reach; ++column) {
     const auto at = static_cast<std::size_t>(table.index(column, 0));
-    const LayerSlopes values = (*turns)(0, column * cell);
+    LayerSlopes values = (*turns)(0, column * cell);
+    values(layer_slope::cross) -= values(layer_slope::hoop);
     earlier.ww[at] = values(layer_slope::normal);
     earlier.uu[at] = values(layer_slope::tangential);
     earlier.uw[at] = values(layer_slope::cross) * (alone ? -1 : 1);
@@ -280,7 +281,7 @@ InfluenceTable line_passage_table(const ContactModel& model, const SurfaceGrid& 
     table.uw[at] += values(layer_slope::cross);
     if (sheared_ring) table.hoop[at] += values(layer_slope::hoop);
   }
-  add_earlier_turns(table, model, cell, told_apart);
+  add_earlier_turns(table, model, cell);
   return table;
 }
 

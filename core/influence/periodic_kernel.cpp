@@ -18,7 +18,8 @@ int wrapped(int n, int size) { return ((n % size) + size) % size; }
 
 /// A ring that yields as a whole is strained along its surface on average, by w/R: the term of no wavenumber is one of
 /// the strain, of which displacements that return after a period know nothing.
-/// @param wavenumber a small one   @param area over which the period's means are taken
+/// @param wavenumber far below that of any memory: in the mean all are at rest   @param area over which the period's
+/// means are taken
 void add_mean_strain(InfluenceTable& table, const SymbolsAlong& symbols, double wavenumber, double area, double cell) {
   const SurfaceCompliance c = symbols(wavenumber)(0);
   const double strain = -wavenumber * c.cross.real() / area, hoop = -wavenumber * c.hoop.real() / area;
@@ -98,7 +99,7 @@ InfluenceTable periodic_table(const SymbolsAlong& symbols, double period, int te
         (*targets[c])[static_cast<std::size_t>(table.index(column, row))] =
             field[static_cast<std::size_t>(wrapped(row, rows) * columns + wrapped(column, columns))];
   }
-  if (ring) add_mean_strain(table, symbols, 1e-4 * step_x, area, cell_x);
+  if (ring) add_mean_strain(table, symbols, 1e-25 * step_x, area, cell_x);
   return table;
 }
 

@@ -146,6 +146,16 @@ bool feels_earlier_turns(const ContactModel& model) {
   return left_after_turn(model) > std::max(least, part_of_tolerance * model.asked_tolerance.value_or(0));
 }
 
+SteadySurface ring_alone(const ContactModel& model) {
+  ContactModel alone = model.coating.empty() ? model : coating_alone(model);
+  // What is displaced in the mean grows with the memory. One of so many radii is as good as unending at whole
+  // harmonics, to 1e-8, and leaves half of the digits.
+  const double longest = 1e8 * alone.radius / alone.speed;
+  for (ModelLayer& layer : alone.foundation)
+    for (CreepSpectrum::Term& term : layer.creep.terms) term.time = std::min(term.time, longest);
+  return steady_surface(alone);
+}
+
 double total_thickness(const ContactModel& model) {
   double sum = 0;
   for (const ModelLayer* const layer : model.layers()) sum += layer->layer_thickness;

@@ -55,6 +55,9 @@ double share_of_coating(const ContactModel& model, double half_width);
 double left_after_turn(const ContactModel& model);
 /// Whether that counts beside the tolerance asked for.
 bool feels_earlier_turns(const ContactModel& model);
+/// The ring alone on a rigid base, as its turns meet it (surface/earlier_turns.hpp): in the mean over all turns every
+/// memory is at rest, so that none are joined. @pre there is a ring
+SteadySurface ring_alone(const ContactModel& model);
 
 /// Thickness of all layers under and on the body [m]; infinite over a half-space.
 double total_thickness(const ContactModel& model);

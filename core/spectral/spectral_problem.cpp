@@ -147,12 +147,9 @@ SpectralProblem::SpectralProblem(const ContactModel& given, const CreepSpectrum&
     correction =
         std::make_shared<PassageSlopes>(steady_surface(model, told_apart), creep, nearest * slowest_decay(model),
                                         has_rigid_base(model), model.friction_coefficient > 0);
-    if (feels_earlier_turns(model)) {
-      const bool alone = model.coating.empty();
-      correction = std::make_shared<ClosedRingSlopes>(
-          correction, steady_surface(alone ? model : coating_alone(model), told_apart), model.radius, creep,
-          model.speed, alone, model.friction_coefficient > 0);
-    }
+    if (feels_earlier_turns(model))
+      correction = std::make_shared<ClosedRingSlopes>(correction, ring_alone(model), model.radius, creep, model.speed,
+                                                      model.coating.empty(), model.friction_coefficient > 0);
   }
   for (const RelaxationSpectrum::Term& term : relaxation.terms) {
     relaxation_length.push_back(model.speed * term.time);

@@ -40,7 +40,7 @@ struct HarmonicRule {
 }  // namespace
 
 EarlierTurns::EarlierTurns(double radius, double longest_wave, std::size_t functions, Index components,
-                           const FourierTable::Transform& of_wavenumber)
+                           const FourierTable::Transform& of_wavenumber, Index from_origin)
     : radius_(radius) {
   const HarmonicRule rule(0.1 * radius / longest_wave);
   const auto count = static_cast<Index>(rule.nodes.size()), columns = components * static_cast<Index>(functions);
@@ -56,7 +56,11 @@ EarlierTurns::EarlierTurns(double radius, double longest_wave, std::size_t funct
   const ChebyshevFit& fit = chebyshev_fit(nodes_);
   const ArrayXd n = Eigen::Map<const ArrayXd>(rule.nodes.data(), count);
   const Eigen::ArrayXXd phase = (reach * fit.nodes * n.matrix().transpose()).array();
-  const MatrixXd series = fit.from_values * (phase.cos().matrix() * real - phase.sin().matrix() * imaginary);
+  MatrixXd values_at = phase.cos().matrix() * real - phase.sin().matrix() * imaginary;
+  for (Index column = from_origin; column >= 0 && column < columns; column += components)
+    values_at.col(column) = -2 * (0.5 * phase).sin().square().matrix() * real.col(column) -  // cos - 1
+                            phase.sin().matrix() * imaginary.col(column);
+  const MatrixXd series = fit.from_values * values_at;
   for (Index first = 0; first < columns; first += components)
     for (Index k = 0; k < nodes_; ++k) {
       series_.push_back(LayerSlopes::Zero());

@@ -19,8 +19,9 @@ class EarlierTurns {
  public:
   /// @param radius of the ring [m]   @param longest_wave of the functions: below a tenth of its wavenumber they no
   /// longer change but in proportion to k [m]   @param of_wavenumber fills in f(k), k in 1/m, component by component
+  /// @param from_origin a component of the functions that counts from its value at 0, which may be large; -1: none
   EarlierTurns(double radius, double longest_wave, std::size_t functions, Eigen::Index components,
-               const FourierTable::Transform& of_wavenumber);
+               const FourierTable::Transform& of_wavenumber, Eigen::Index from_origin = -1);
 
   /// @param x of either sign, farther than `reach` radii as there
   LayerSlopes operator()(std::size_t function, double x) const;

@@ -13,9 +13,9 @@ namespace {
 /// sinh(x h)/x
 double sinh_over(double x, double h) { return x == 0 ? h : std::sinh(x * h) / x; }
 
-/// [sinh((n+1)h)/(n+1) - sinh((n-1)h)/(n-1)]/(4n), by its series in h where the difference would cancel.
+/// [sinh((n+1)h)/(n+1) - sinh((n-1)h)/(n-1)]/(4n), by its series in h where the difference would cancel; h up to 1.5.
 double sinh_difference(double n, double h) {
-  if ((n + 1) * h > 1) return (sinh_over(n + 1, h) - sinh_over(n - 1, h)) / (4 * n);
+  if (n > 0.5 && (n + 1) * h > 1) return (sinh_over(n + 1, h) - sinh_over(n - 1, h)) / (4 * n);
   const double s = n * n + 1;  // half the sum of (n+1)^2 and (n-1)^2, whose difference is 4n
   double difference = 1, sum = s, factor = h * h * h / 6, all = factor;  // ((n+1)^2j -+ (n-1)^2j)/(4n), /2
   for (int j = 2; j < 12; ++j) {

@@ -204,6 +204,33 @@ RelatedPair long_period(Dice&, RollingScene scene) {
   return RelatedScenes{.one = scene, .other = known_scene(other), .exact = 2e-3};
 }
 
+RelatedPair closed_ring(Dice& dice, RollingScene scene) {
+  constexpr double nodes = 40, waves_per_cell = 24;
+  const double turn = 2 * std::numbers::pi * scene.radius;
+  if (scene.coating_layers.empty()) {
+    BondedLayer coating;
+    static_cast<MaterialInputs&>(coating) = scene;
+    coating.layer_thickness = rounded(dice.log_uniform(0.03, 0.4) * scene.radius);
+    scene.coating_layers = {coating};
+  }
+  // The other bodies' way over the foundation is none of the ring's: it remembers nothing, and they are far apart.
+  if (!scene.static_shear_modulus) return {};
+  scene.material = MaterialModel::elastic;
+  scene.lower_layers.clear();
+  scene.layer_thickness = std::min(scene.layer_thickness, turn / 60);
+  scene.inertia = Inertia::off;
+  scene.tolerance.reset();
+  scene.skew_angle.reset();
+  if (!on_grid(scene.method)) scene.method = Method::newton;
+  const double half_width = estimate_contact(scene).half_width;
+  if (constexpr double widest = 0.3; half_width > widest * scene.radius) return {};
+  scene.spacing = rounded(2 * half_width / nodes);
+  RollingScene other = scene;
+  other.period = turn;
+  other.series_terms = static_cast<int>(std::min(waves_per_cell * turn / *scene.spacing, 4e5));
+  return RelatedScenes{.one = scene, .other = known_scene(other), .exact = 3e-3};
+}
+
 RelatedPair deep_layer(Dice&, RollingScene scene) {
   if (!scene.load) return {};
   (scene.lower_layers.empty() ? scene.layer_thickness : scene.lower_layers.back().layer_thickness) = infinite_thickness;

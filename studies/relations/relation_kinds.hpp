@@ -32,6 +32,7 @@ RelatedPair weightless(Dice& dice, RollingScene scene);
 RelatedPair mirrored(Dice& dice, RollingScene scene);
 RelatedPair turned_back(Dice& dice, RollingScene scene);
 RelatedPair long_period(Dice& dice, RollingScene scene);
+RelatedPair closed_ring(Dice& dice, RollingScene scene);
 RelatedPair deep_layer(Dice& dice, RollingScene scene);
 
 // Of materials (material_relations.cpp).

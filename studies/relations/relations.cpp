@@ -26,7 +26,7 @@ RelatedPair tolerances(Dice&, RollingScene scene) {
                        .left_out = {"peak_shear_x", "peak_shear_y"}};
 }
 
-constexpr std::array<Relation, 16> all_relations{{
+constexpr std::array<Relation, 17> all_relations{{
     {"cut in two", "a layer, or a coating, as two of the same material", cut_in_two},
     {"cut in five", "the same as five", cut_in_five},
     {"term split", "a Prony term as two of half its modulus", term_split},
@@ -43,6 +43,7 @@ constexpr std::array<Relation, 16> all_relations{{
     {"mirrored", "on elastic layers, sliding forwards for sliding backwards", mirrored, false},
     {"turned back", "skew, camber and pivot to the other side", turned_back},
     {"long period", "bodies far apart for a single one", long_period, false},
+    {"closed ring", "a coating that comes round after a turn for bodies a turn apart", closed_ring, false},
     {"deep layer", "a layer of 1,000 half-widths for a half-space", deep_layer},
     {"tolerance", "a tolerance of 1e-3 for 1e-6", tolerances},
 }};
