@@ -134,8 +134,9 @@ double left_after_turn(const ContactModel& model) {
     double left = 0;
     for (const CreepSpectrum::Term& term : creep.terms)
       if (const double length = model.speed * term.time; length > 0)
-        left += term.compliance / creep.at_rest() * std::pow(std::min(1.0, thickness / length), power) *
-                std::exp(-turn / length);
+        // e^(-turn/length) of the last one, the square of it of the one before, ...
+        left += term.compliance / creep.at_rest() * std::pow(std::min(1.0, thickness / length), power) /
+                std::expm1(turn / length);
     most = std::max(most, left);
   }
   return std::max(std::exp(-elastic_decay * turn / thickness), most);
@@ -206,7 +207,7 @@ std::string coating_in_words(const ContactModel& model) {
                                  : ": the core is not felt");
   return "the coating is a ring on the core, " + share +
          (feels_earlier_turns(model)
-              ? message_text<4>(", with earlier turns: of each about ", left_after_turn(model), " is left after one")
+              ? message_text<4>(", with earlier turns, of which about ", left_after_turn(model), " is left")
               : ", recovered when it comes round again");
 }
 

@@ -50,8 +50,8 @@ bool has_elastic_foundation(const ContactModel& model);
 /// wavenumber of one over the half-width, and at the speed's frequency [1].
 double share_of_coating(const ContactModel& model, double half_width);
 
-/// What is left of a ring's displacement when it comes round, over that under the body, roughly: of its elastic part
-/// and of its longest memory; 0 without a ring [1].
+/// What all earlier turns leave of a ring's displacement when it comes round, over that under the body, roughly: of its
+/// elastic part and of its longest memory; 0 without a ring [1].
 double left_after_turn(const ContactModel& model);
 /// Whether that counts beside the tolerance asked for.
 bool feels_earlier_turns(const ContactModel& model);

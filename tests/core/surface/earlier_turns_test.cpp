@@ -86,6 +86,10 @@ TEST_CASE("a ring that has not recovered is one of bodies a turn apart", "[core]
   RollingScene scene = slow_cover(0.2);
   scene.coating_layers[0].poisson_ratio = poisson_ratio;
   scene.coating_layers[0].relaxation_times.back() = longest;  // in the mean over all turns at rest, however long
+  if (longest > 1e3) {                                        // and no other remembers a turn
+    scene.coating_layers[0].relaxation_times.erase(scene.coating_layers[0].relaxation_times.begin() + 1);
+    scene.coating_layers[0].relaxation_moduli.erase(scene.coating_layers[0].relaxation_moduli.begin() + 1);
+  }
   scene.drive = Drive::rotation;
   scene.rotation_ratio = 1.002;
   scene.method = Method::newton;
