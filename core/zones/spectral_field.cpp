@@ -60,7 +60,6 @@ double density_sum(const VectorXd& c, double t, Index first) {
 }
 
 Lanes density_sum(const VectorXd& c, const Lanes& t, Index first) {
-  if (c.size() == 0) return Lanes::Zero();
   const Lanes angle = t.max(-1).min(1).acos();
   const Lanes before = (static_cast<double>(first - 1) * angle).sin(),
               here = (static_cast<double>(first) * angle).sin();
@@ -127,8 +126,9 @@ VectorXd SpectralField::mixed_tail() const {
   return 2 * contact_tails_.left.head(std::min<Index>(contact_tails_.left.size(), most_mixed_tail_terms));
 }
 
-double SpectralField::tail_density(const Tails& tails, double t) const {
-  if (tails.left.size() == 0) return 0;
+template <class Value>
+Value SpectralField::tail_density(const Tails& tails, const Value& t) const {
+  if (tails.left.size() == 0) return 0 * t;
   return 2 * density_sum(tails.left, t, tails.kept.size());
 }
 
@@ -149,8 +149,7 @@ double SpectralField::pressure(double x) const {
 ArrayXd SpectralField::pressure(const ArrayXd& x) const {
   if (state_.graded) return x.unaryExpr([&](double place) { return state_.graded->pressure_at(place); });
   return by_lanes(state_.edges.contact, x, [&](const Lanes& t) -> Lanes {
-    return density_sum(state_.pressure.coefficients, t, 1) +
-           2 * density_sum(contact_tails_.left, t, contact_tails_.kept.size());
+    return density_sum(state_.pressure.coefficients, t, 1) + tail_density(contact_tails_, t);
   });
 }
 
@@ -162,12 +161,10 @@ ArrayXd SpectralField::shear(const ArrayXd& x, const ArrayXd& pressure_there) co
   for (Index k = 0; k < x.size(); ++k)
     values(k) = state_.graded ? state_.graded->shear_at(x(k)) : friction_ * base_->direction(x(k)) * pressure_there(k);
   if (state_.graded) return values;
-  for (std::size_t z = 0; z < state_.sticks.size(); ++z) {
-    const Tails& tails = stick_tails_[z];
+  for (std::size_t z = 0; z < state_.sticks.size(); ++z)
     values += by_lanes(state_.edges.sticks[z], x, [&](const Lanes& t) -> Lanes {
-      return density_sum(state_.sticks[z].coefficients, t, 1) - 2 * density_sum(tails.left, t, tails.kept.size());
+      return density_sum(state_.sticks[z].coefficients, t, 1) - tail_density(stick_tails_[z], t);
     });
-  }
   return values;
 }
 

@@ -49,7 +49,8 @@ class SpectralField {
   Slopes sum_of_sources(const SpectralProblem& part, double x, Kernel kernel) const;
   struct Tails;  // what lies beyond a density's coefficients
   Eigen::VectorXd mixed_tail() const;
-  double tail_density(const Tails& tails, double t) const;
+  template <class Value>
+  Value tail_density(const Tails& tails, const Value& t) const;
   double tail_image(const Tails& tails, double t) const;
 
   struct Tails {
