@@ -2,6 +2,7 @@
 
 /// A further layer of a scene, below the first or on the body, as a plain value.
 
+#include <span>
 #include <vector>
 
 #include "core/scene/material_inputs.hpp"
@@ -17,17 +18,14 @@ struct BondedLayer : MaterialInputs {
 
 using BondedLayers = std::vector<BondedLayer>;
 
+/// The inputs that a layer has beside those of its material.
+using LayerInput = ListedQuantity<BondedLayer, double>;
+std::span<const LayerInput> listed_layer_inputs();
+
 /// Walks the inputs that every layer has, a scene's own among them, as `visit_inputs` does.
 template <class Inputs, class Visitor>
 void visit_layer_inputs(Inputs& layer, Visitor&& visitor) {
-  using Q = Quantity;
-  visitor(Q{"layer_thickness",
-            "H",
-            "m",
-            "thickness of the layer; \"infinite\" for a half-space",
-            {.lowest = 0.0, .lowest_excluded = true, .infinity_allowed = true}},
-          layer.layer_thickness);
-  visitor(Q{"layer_density", "ρ", "kg/m3", "density of the layer", not_negative}, layer.layer_density);
+  visit_listed(layer, listed_layer_inputs(), visitor);
   visit_material_inputs(layer, visitor);
 }
 

@@ -6,6 +6,7 @@
 /// edge of the contact at x > 0. The layer of thickness H is bonded to a rigid base. All numbers are SI.
 
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -134,7 +135,8 @@ struct ChoiceNames<CoreHeat> {
   static constexpr std::array<std::string_view, 2> names{"automatic", "insulated"};
 };
 
-struct RollingScene : MaterialInputs {
+/// The inputs; those of the first layer are the base.
+struct RollingScene : BondedLayer {
   Indenter indenter = Indenter::cylinder;
   double radius = 0;                        // R; of a given pressure half its length along the motion [m]
   std::optional<double> transverse_radius;  // of a roller's crown, across the motion; half a pressure's width [m]
@@ -147,8 +149,6 @@ struct RollingScene : MaterialInputs {
   std::vector<double> deflection_places_x;  // where the answer tells the deflection, from the load's middle [m],
   std::vector<double> deflection_places_y;  // and across the motion [m]
   std::optional<double> width;  // of a cylinder whose load, torque, forces and powers are those of the whole body [m]
-  double layer_thickness = 0;   // H [m]; infinity for a half-space
-  double layer_density = 1000;  // rho [kg/m3]
   BondedLayers lower_layers;    // bonded under the first, from above; under the last a rigid base
   BondedLayers coating_layers;  // bonded on the body, from its surface inwards to a rigid core
   Inertia inertia = Inertia::automatic;
@@ -192,144 +192,22 @@ struct RollingScene : MaterialInputs {
   SlipRule slip_rule = SlipRule::projected;         // active_set in 3D
 };
 
+/// The inputs of a scene beside those of its first layer: of the body, which come before these, and all others after
+/// them.
+using SceneInput = ListedQuantity<RollingScene, double, int, std::optional<double>, std::vector<double>, BondedLayers,
+                                  Indenter, Crown, PressureShape, PressureDistribution, Inertia, Drive, Kinematics,
+                                  Method, Interior, Heat, CoreHeat, SlipStencil, Resticking, SlipRule>;
+std::span<const SceneInput> listed_body_inputs();
+std::span<const SceneInput> listed_motion_inputs();
+
 /// Walks the inputs: `visitor(quantity, value)`, value being a reference to double, int, std::optional<double>, an
 /// enumeration with ChoiceNames or, for lists, std::vector<double> or BondedLayers. Works on const and non-const
 /// scenes.
 template <class Scene, class Visitor>
 void visit_inputs(Scene& scene, Visitor&& visitor) {
-  using Q = Quantity;
-  visitor(Q{"indenter", "", "", "body that rolls"}, scene.indenter);
-  visitor(Q{"radius", "R", "m", "radius of the body; half the length of a given pressure along the motion", positive},
-          scene.radius);
-  visitor(Q{"transverse_radius", "R_t", "m",
-            "radius of a roller's crown, across the motion; half the width of a given pressure, absent: its radius",
-            positive},
-          scene.transverse_radius);
-  visitor(Q{"crown", "", "", "outline of a roller along its axle"}, scene.crown);
-  visitor(Q{"profile_places", "y", "m", "places along the axle of a roller with a profile, to the left, rising"},
-          scene.profile_places);
-  visitor(
-      Q{"profile_heights", "", "m", "heights of the profile there, counted from the smallest, where the radius is R"},
-      scene.profile_heights);
-  visitor(Q{"pressure_shape", "", "", "part of the surface on which a given pressure acts"}, scene.pressure_shape);
-  visitor(Q{"pressure_distribution", "", "", "how a given pressure is spread: evenly, or as under a round body"},
-          scene.pressure_distribution);
-  visitor(Q{"traction_coefficient",
-            "τ/p",
-            "1",
-            "shear traction along the motion over a given pressure; > 0 as of a braked wheel",
-            {.lowest = -10, .highest = 10}},
-          scene.traction_coefficient);
-  visitor(
-      Q{"deflection_places_x", "x", "m", "places where deflections tells how deep a given pressure moves the surface"},
-      scene.deflection_places_x);
-  visitor(Q{"deflection_places_y", "y", "m", "the same across the motion, to the left"}, scene.deflection_places_y);
-  visitor(Q{"width", "", "m",
-            "length of a cylinder along its axis; loads, forces, torques and powers are then those of the whole body",
-            positive},
-          scene.width);
+  visit_listed(scene, listed_body_inputs(), visitor);
   visit_layer_inputs(scene, visitor);
-  visitor(Q{"lower_layers", "", "", "layers bonded under the first, from above, each an object; a rigid base below"},
-          scene.lower_layers);
-  visitor(Q{"coating_layers", "", "", "layers bonded on the body, from its surface inwards, each an object"},
-          scene.coating_layers);
-  visitor(Q{"inertia", "", "", "whether the layers' inertia counts; automatic: where a tolerance asks for it"},
-          scene.inertia);
-  visitor(Q{"speed", "V", "m/s", "speed of the body along +x", positive}, scene.speed);
-  visitor(Q{"load", "P", "N", "vertical load, downwards", positive, "N/m"}, scene.load);
-  visitor(Q{"approach", "d", "m", "penetration of the body below the undeformed surface, in place of a load", positive},
-          scene.approach);
-  visitor(Q{"friction_coefficient", "μ", "1", "Coulomb friction; 0: frictionless", not_negative},
-          scene.friction_coefficient);
-  visitor(
-      Q{"traction_limit", "τ_max", "Pa", "largest shear traction that friction bears, whatever the pressure", positive},
-      scene.traction_limit);
-  visitor(Q{"drive", "", "", "what drives the body"}, scene.drive);
-  visitor(Q{"driving_torque", "T", "N.m", "torque about the body's axis, clockwise, with drive \"torque\"", any_number,
-            "N"},
-          scene.driving_torque);
-  visitor(Q{"rotation_ratio", "RΩ/V", "1", "circumferential speed over speed, with drive \"rotation\"; 0: locked"},
-          scene.rotation_ratio);
-  visitor(Q{"skew_angle",
-            "α",
-            "rad",
-            "angle by which the axle is turned to the left of across the travel",
-            {.lowest = -1.4, .highest = 1.4}},
-          scene.skew_angle);
-  visitor(Q{"axial_force", "F_a", "N", "force on a cylinder along its axle, to the left, in place of skew_angle",
-            any_number, "N/m"},
-          scene.axial_force);
-  visitor(Q{"lateral_force", "F_y", "N", "force on a sphere across the travel, to the left, in place of skew_angle"},
-          scene.lateral_force);
-  visitor(Q{"camber_angle",
-            "γ",
-            "rad",
-            "angle by which the left end of a sphere's axle is raised",
-            {.lowest = -1.4, .highest = 1.4}},
-          scene.camber_angle);
-  visitor(Q{"pivot", "ψ", "1/m", "curvature of a sphere's path, to the left: it turns about the vertical with it"},
-          scene.pivot);
-  visitor(
-      Q{"kinematics", "", "", "how resultants and slip are counted; consistent: power balances; printed: the paper's"},
-      scene.kinematics);
-  visitor(Q{"adhesion_threshold", "", "Pa", "largest tension that a node bears before it lets go", not_negative},
-          scene.adhesion_threshold);
-  visitor(Q{"spacing", "a", "m", "distance between nodes", positive}, scene.spacing);
-  visitor(Q{"tolerance",
-            "",
-            "1",
-            "wanted relative error of the rolling resistance, in place of a spacing",
-            {.lowest = 0.0, .highest = 1.0, .lowest_excluded = true}},
-          scene.tolerance);
-  visitor(Q{"method", "", "", "solver; automatic: spectral for a cylinder without a spacing, else newton"},
-          scene.method);
-  visitor(Q{"interior", "", "", "whether the outputs from inside the layers are computed: strains, bonds, losses"},
-          scene.interior);
-  visitor(Q{"heat", "", "",
-            "whether the heat of rolling warms the layers: those on the body, or without any those under it"},
-          scene.heat);
-  visitor(Q{"thermal_conductivity", "k", "W/m/K", "of all layers that heat warms", positive},
-          scene.thermal_conductivity);
-  visitor(Q{"heat_capacity", "c", "J/m3/K", "of a volume of these layers", positive}, scene.heat_capacity);
-  visitor(Q{"turn_length", "", "m",
-            "length after which the layers under a body without coating meet it again, as a belt's", positive},
-          scene.turn_length);
-  visitor(Q{"surface_heat_transfer", "h", "W/m2/K", "heat transfer from their face to the air", not_negative},
-          scene.surface_heat_transfer);
-  visitor(Q{"ambient_temperature", "T_a", "K", "temperature of the air", positive}, scene.ambient_temperature);
-  visitor(Q{"ground_effusivity", "e", "W.s0.5/m2/K",
-            "sqrt(k c) of what their face touches and cannot warm; 0: it takes no heat", not_negative},
-          scene.ground_effusivity);
-  visitor(Q{"ground_temperature", "", "K", "temperature of what their face touches; absent: the air's", positive},
-          scene.ground_temperature);
-  visitor(Q{"core", "", "",
-            "whether heat leaves through the core, or a belt's other face; automatic: where core_temperature or "
-            "core_heat_transfer is given"},
-          scene.core);
-  visitor(
-      Q{"core_temperature", "", "K", "temperature of the core; with core_heat_transfer, of what cools it", positive},
-      scene.core_temperature);
-  visitor(Q{"core_heat_transfer", "", "W/m2/K", "heat transfer from the core to core_temperature, or to the air",
-            not_negative},
-          scene.core_heat_transfer);
-  visitor(Q{"time_limit", "", "s",
-            "of processor time, after which a solution ends with its best answer or a reason; absent: 60 s", positive},
-          scene.time_limit);
-  visitor(Q{"memory_limit", "", "byte",
-            "a solution that needs more memory ends with a reason; absent: a quarter of the machine's, 4 GB at most",
-            positive},
-          scene.memory_limit);
-  visitor(Q{"period", "L", "m", "distance of a periodic train of bodies; absent: a single passage", positive},
-          scene.period);
-  visitor(
-      Q{"series_terms", "", "1", "wavenumbers kept in each direction, with a period", {.lowest = 8, .highest = 1e6}},
-      scene.series_terms);
-  visitor(Q{"slip_stencil", "", "", "active_set: difference that gives the slip"}, scene.slip_stencil);
-  visitor(
-      Q{"slip_threshold", "w_th/V", "1", "active_set: slip speed over speed below which a node sticks", not_negative},
-      scene.slip_threshold);
-  visitor(Q{"resticking", "", "", "active_set in 2D: whether a slipping node may stick again"}, scene.resticking);
-  visitor(Q{"slip_rule", "", "", "active_set in 3D: how nodes change between stick and slip"}, scene.slip_rule);
+  visit_listed(scene, listed_motion_inputs(), visitor);
 }
 
 /// Keys of all inputs, in the order of the list.

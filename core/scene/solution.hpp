@@ -6,6 +6,7 @@
 #include <cmath>
 #include <limits>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -130,136 +131,17 @@ struct RollingSolution {
   std::vector<std::array<double, 2>> moduli_factors;  // rest_factor, relaxation_factor of each layer; empty: linear
 };
 
+/// The outputs in the order in which all walk them.
+using ListedOutput = ListedQuantity<RollingSolution, double, int, std::string, std::vector<double>,
+                                    std::vector<std::string>, Method, Status>;
+std::span<const ListedOutput> listed_outputs();
+
 /// Walks the outputs: `visitor(quantity, value)`, value being double, int, an enumeration with ChoiceNames,
 /// std::string, std::vector<double> or std::vector<std::string>. An output that is also an input (load, approach,
 /// driving_torque, rotation_ratio, spacing, method) has the same key: it is the value found or used.
 template <class Solution, class Visitor>
 void visit_outputs(Solution& solution, Visitor&& visitor) {
-  using Q = Quantity;
-  auto& s = solution;
-  visitor(Q{"rolling_resistance", "R_r", "N", "rolling resistance Q + T Ω / V", any_number, "N/m"},
-          s.rolling_resistance);
-  visitor(Q{"rolling_resistance_coefficient", "R_r/P", "1", "rolling resistance over load"},
-          s.rolling_resistance_coefficient);
-  visitor(Q{"driving_force", "Q", "N", "horizontal force that drives the body", any_number, "N/m"}, s.driving_force);
-  visitor(Q{"driving_torque", "T", "N.m", "torque that drives the body, clockwise", any_number, "N"}, s.driving_torque);
-  visitor(Q{"rotation_speed", "Ω", "rad/s", "rotational speed of the body"}, s.rotation_speed);
-  visitor(Q{"rotation_ratio", "RΩ/V", "1", "circumferential speed over speed"}, s.rotation_ratio);
-  visitor(Q{"skew_angle", "α", "rad", "angle by which the axle is turned to the left of across the travel"},
-          s.skew_angle);
-  visitor(Q{"axial_force", "F_a", "N", "force on a cylinder along its axle, to the left", any_number, "N/m"},
-          s.axial_force);
-  visitor(Q{"lateral_force", "F_y", "N", "force across the travel, to the left, that a sphere needs"}, s.lateral_force);
-  visitor(Q{"spin_moment", "M_z", "N.m", "moment about the vertical through the middle of a sphere that it needs"},
-          s.spin_moment);
-  visitor(Q{"overturning_moment", "M_x", "N.m", "moment about the travel through the middle of a sphere that it needs"},
-          s.overturning_moment);
-  visitor(Q{"creepage_x", "ξ", "1", "1 - (RΩ/V) cos α cos γ"}, s.creepage_x);
-  visitor(Q{"creepage_y", "η", "1", "-(RΩ/V) sin α cos γ"}, s.creepage_y);
-  visitor(Q{"spin", "φ", "1/m", "(Ω/V) sin γ + pivot: turning about the vertical over the path of a sphere"}, s.spin);
-  visitor(Q{"approach", "d", "m", "penetration of the body below the undeformed surface"}, s.approach);
-  visitor(Q{"load", "P", "N", "vertical load", any_number, "N/m"}, s.load);
-  visitor(Q{"leading_edge", "x+", "m", "largest x of the contact"}, s.leading_edge);
-  visitor(Q{"trailing_edge", "x-", "m", "smallest x of the contact"}, s.trailing_edge);
-  visitor(Q{"half_width", "b", "m", "largest y of the contact (sphere)"}, s.half_width);
-  visitor(Q{"edge_error", "", "m", "estimated error of leading_edge, trailing_edge and half_width on a grid"},
-          s.edge_error);
-  visitor(
-      Q{"contact_area", "A", "m2", "area of contact (per metre of a cylinder: its length along x)", any_number, "m"},
-      s.contact_area);
-  visitor(Q{"contact_area_error", "", "m2", "estimated error of the area of contact on a grid", any_number, "m"},
-          s.contact_area_error);
-  visitor(Q{"mean_pressure", "p_m", "Pa", "load over area of contact"}, s.mean_pressure);
-  visitor(Q{"peak_pressure", "p_0", "Pa", "largest pressure"}, s.peak_pressure);
-  visitor(Q{"peak_pressure_error", "", "Pa", "estimated error of the largest pressure"}, s.peak_pressure_error);
-  visitor(Q{"peak_pressure_x", "", "m", "place of the node with the largest pressure of a sphere or roller"},
-          s.peak_pressure_x);
-  visitor(Q{"peak_pressure_y", "", "m", "the same across the motion, to the left; of two mirror images the left one"},
-          s.peak_pressure_y);
-  visitor(Q{"deflection", "", "m", "downward displacement of the surface under the middle of a given pressure"},
-          s.deflection);
-  visitor(Q{"peak_deflection", "", "m", "largest downward displacement that it causes"}, s.peak_deflection);
-  visitor(Q{"peak_deflection_x", "", "m", "where that is along the motion"}, s.peak_deflection_x);
-  visitor(Q{"deflections", "", "m", "downward displacements at deflection_places_x and _y"}, s.deflections);
-  visitor(Q{"deflection_error", "", "m", "estimated error of these displacements, the largest"}, s.deflection_error);
-  visitor(Q{"peak_shear_x", "max|τ_xz|", "Pa", "largest shear traction along x"}, s.peak_shear_x);
-  visitor(Q{"peak_shear_y", "max|τ_yz|", "Pa", "largest shear traction along y (sphere, skewed cylinder)"},
-          s.peak_shear_y);
-  visitor(Q{"contact_nodes", "", "1", "nodes in contact"}, s.contact_nodes);
-  visitor(Q{"slip_nodes", "", "1", "nodes in contact that slip"}, s.slip_nodes);
-  visitor(Q{"viscous_loss", "", "W", "power lost in the layer", any_number, "W/m"}, s.viscous_loss);
-  visitor(Q{"frictional_loss", "", "W", "power lost to friction", any_number, "W/m"}, s.frictional_loss);
-  visitor(Q{"energy_residual", "", "1", "what the power balance misses, over R_r V"}, s.energy_residual);
-  visitor(Q{"law_violation", "", "1", "largest relative violation of a law of contact at any node"}, s.law_violation);
-  visitor(Q{"friction_needed", "", "1", "least friction coefficient with a steady state, where there is none"},
-          s.friction_needed);
-  visitor(Q{"friction_borne", "", "1",
-            "largest friction coefficient with a steady state, where under more the body digs itself in"},
-          s.friction_borne);
-  visitor(Q{"error_estimate", "", "1", "estimated relative error of the rolling resistance"}, s.error_estimate);
-  visitor(Q{"rolling_resistance_error", "", "N", "estimated error of the rolling resistance", any_number, "N/m"},
-          s.rolling_resistance_error);
-  visitor(
-      Q{"model_error", "", "1", "estimated relative error of R_r by what the model assumes, where all of it is known"},
-      s.model_error);
-  visitor(Q{"peak_shear_strain", "γ_max", "1", "largest shear strain in the layers"}, s.peak_shear_strain);
-  visitor(Q{"peak_shear_strain_x", "", "m", "where it is along the motion"}, s.peak_shear_strain_x);
-  visitor(Q{"peak_shear_strain_y", "", "m", "where it is across the motion, at y and -y (sphere)"},
-          s.peak_shear_strain_y);
-  visitor(Q{"peak_shear_strain_z", "", "m", "its height over the surface, negative in the layers under the body"},
-          s.peak_shear_strain_z);
-  visitor(Q{"strain_amplitude", "γ_a", "1",
-            "half of the largest difference of shear strains along a line of flow, mean over the lines by their loss"},
-          s.strain_amplitude);
-  visitor(Q{"peak_strain_amplitude", "", "1", "largest such half difference of any line"}, s.peak_strain_amplitude);
-  visitor(Q{"bond_shear", "", "Pa", "largest shear stress at a bond of a layer"}, s.bond_shear);
-  visitor(Q{"bond_tension", "", "Pa", "largest tension normal to a bond of a layer"}, s.bond_tension);
-  visitor(
-      Q{"bond_shears", "", "Pa",
-        "largest shear stress at the far side of each layer: those under the body from the contact, then those on it"},
-      s.bond_shears);
-  visitor(Q{"bond_tensions", "", "Pa", "largest tension there, layer by layer"}, s.bond_tensions);
-  visitor(Q{"interior_loss", "", "W", "power lost in the layers, summed over their inside", any_number, "W/m"},
-          s.interior_loss);
-  visitor(Q{"softening", "", "1",
-            "G' at the strain amplitude and the contact's frequency V/a over that at small "
-            "strains, of the layer that softens most"},
-          s.softening);
-  visitor(Q{"mean_temperature", "T_m", "K",
-            "temperature of the layers that heat warms, mean by what each depth loses: the one of their materials"},
-          s.mean_temperature);
-  visitor(Q{"peak_temperature", "T_max", "K", "highest temperature in them"}, s.peak_temperature);
-  visitor(Q{"peak_temperature_depth", "", "m", "where it is below the face in contact"}, s.peak_temperature_depth);
-  visitor(Q{"bond_temperature", "T_b", "K", "temperature of their bond to the core, or of a belt's other face"},
-          s.bond_temperature);
-  visitor(Q{"surface_temperature", "T_s", "K", "temperature of their face in contact, in the mean of a turn"},
-          s.surface_temperature);
-  visitor(Q{"heat_to_air", "", "W", "heat that their face gives to the air", any_number, "W/m"}, s.heat_to_air);
-  visitor(Q{"heat_to_ground", "", "W",
-            "heat that it gives to what it touches, with what layers under a covered body lose themselves", any_number,
-            "W/m"},
-          s.heat_to_ground);
-  visitor(Q{"heat_to_core", "", "W", "heat that leaves through the core; all three are R_r V", any_number, "W/m"},
-          s.heat_to_core);
-  visitor(Q{"warming_time", "H²/κ", "s", "thickness squared over the diffusivity: the time that warming takes"},
-          s.warming_time);
-  visitor(Q{"peclet", "Pe", "1", "V H²/(κ R): large where temperatures are even around a turn"}, s.peclet);
-  visitor(Q{"fourier", "Fo", "1", "κ t/H² of the time of a turn: small where they are"}, s.fourier);
-  visitor(Q{"biot", "Bi", "1", "heat transfer of the face, with the contact's, times H/k"}, s.biot);
-  visitor(Q{"temperatures", "", "K",
-            "mean temperatures of all steady states, ascending: stable, unstable and stable in turn; warming reaches "
-            "the first"},
-          s.temperatures);
-  visitor(Q{"spacing", "a", "m", "distance between nodes"}, s.spacing);
-  visitor(Q{"iterations", "", "1", "iterations of the solver on its last grid"}, s.iterations);
-  visitor(Q{"seconds", "", "s", "wall time of the solution"}, s.seconds);
-  visitor(Q{"method", "", "", "solver"}, s.method);
-  visitor(Q{"model", "", "", "what was left out and why"}, s.model);
-  visitor(Q{"assumptions", "", "", "what the model assumes, with its number and what it changes R_r by"},
-          s.assumptions);
-  visitor(Q{"status", "", "", "converged, no_steady_state or not_converged"}, s.status);
-  visitor(Q{"reason", "", "", "why there is no answer"}, s.reason);
-  visitor(Q{"warnings", "", "", "what to mind when using the answer"}, s.warnings);
+  visit_listed(solution, listed_outputs(), visitor);
 }
 
 /// The output with this key, or a number of a list of them, "bond_shears[1]", whether or not an answer has such a

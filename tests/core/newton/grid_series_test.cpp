@@ -48,14 +48,14 @@ double roughness(const RollingScene& given, double RollingScene::*input, int ste
 TEST_CASE("a sphere's rolling resistance on tied grids is a smooth function of the inputs",
           "[core][grid_series][long]") {
   // A node that enters a fixed grid's contact moves R_r by 1e-4 to 1e-3.
-  for (double RollingScene::*input :
-       {&RollingScene::speed, &RollingScene::layer_thickness, &RollingScene::friction_coefficient})
+  for (double RollingScene::*const input : std::initializer_list<double RollingScene::*>{
+           &RollingScene::speed, &RollingScene::layer_thickness, &RollingScene::friction_coefficient})
     CHECK(roughness(gridless_sphere(), input, 16) < 5e-6);
 }
 
 TEST_CASE("so is a cylinder's", "[core][grid_series]") {
-  for (double RollingScene::*input :
-       {&RollingScene::speed, &RollingScene::layer_thickness, &RollingScene::friction_coefficient})
+  for (double RollingScene::*const input : std::initializer_list<double RollingScene::*>{
+           &RollingScene::speed, &RollingScene::layer_thickness, &RollingScene::friction_coefficient})
     CHECK(roughness(gridless_cylinder(), input, 16) < 5e-6);
   RollingScene smooth = gridless_cylinder();
   smooth.friction_coefficient = 0;

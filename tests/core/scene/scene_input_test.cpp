@@ -1,7 +1,10 @@
+// Covers listed_inputs and listed_outputs, too.
+
 #include "core/scene/scene_input.hpp"
 
 #include <limits>
-#include <set>
+#include <map>
+#include <utility>
 
 #include "core/derivatives/objective.hpp"
 #include "tests/catch.hpp"
@@ -43,21 +46,22 @@ TEST_CASE("a key of a further layer is a list, a place in it from 0 on, and an i
 
 TEST_CASE("every input of a scene and of its layers is found by its key, and by no other", "[core][scene_input]") {
   RollingScene scene = layered_scene();
-  std::set<std::string_view> keys;
+  std::map<std::string_view, std::pair<const Quantity*, const void*>> inputs;
+  std::size_t visited = 0;
   visit_all_inputs(scene, [&](const Quantity& quantity, auto& value) {
-    CAPTURE(quantity.key);
-    CHECK(keys.insert(quantity.key).second);
-    const void* found = nullptr;
-    CHECK(visit_input(scene, quantity.key, [&](const Quantity& same, auto& here) {
-      CHECK(same.key == quantity.key);
-      CHECK(same.unit == quantity.unit);
-      found = &here;
-    }));
-    CHECK(found == &value);
+    inputs[quantity.key] = {&quantity, &value};
+    ++visited;
   });
+  CHECK(inputs.size() == visited);
+  for (const auto& [key, input] : inputs) {
+    CAPTURE(key);
+    std::pair<const Quantity*, const void*> found{};
+    CHECK(visit_input(scene, key, [&](const Quantity& same, auto& here) { found = {&same, &here}; }));
+    CHECK(found == input);
+  }
   std::size_t of_a_layer = 0;
   visit_layer_inputs(scene, [&](const Quantity&, const auto&) { ++of_a_layer; });
-  CHECK(keys.size() == input_keys().size() + 3 * of_a_layer);
+  CHECK(visited == input_keys().size() + 3 * of_a_layer);
   for (const char* const absent : {"coating_layers[1].stiffening", "coating_layers[0].load", "period[0].stiffening"})
     CHECK_FALSE(visit_input(scene, absent, [](const Quantity&, const auto&) {}));
   CHECK(absent_layer(scene, "lower_layers[2].stiffening") == "the scene has 2 layers in lower_layers: [0] to [1]");
