@@ -9,6 +9,7 @@
 
 #include "core/influence/axial_line.hpp"
 #include "core/influence/line_passage.hpp"
+#include "core/influence/long_waves.hpp"
 #include "core/influence/passage_kernel.hpp"
 #include "core/influence/periodic_kernel.hpp"
 #include "core/influence/sphere_passage.hpp"
@@ -69,18 +70,18 @@ InfluenceTable InfluenceTable::transposed() const {
   return other;
 }
 
-void InfluenceTable::add_coating(const InfluenceTable& coating) {
-  const auto add = [](std::vector<double>& to, const std::vector<double>& from, double sign) {
+void InfluenceTable::add(const InfluenceTable& other, double cross) {
+  const auto add_to = [](std::vector<double>& to, const std::vector<double>& from, double sign) {
     if (to.empty()) to.assign(from.size(), 0.0);
     for (std::size_t i = 0; i < from.size(); ++i) to[i] += sign * from[i];
   };
-  add(ww, coating.ww, 1);
-  add(uu, coating.uu, 1);
-  add(vv, coating.vv, 1);
-  add(uv, coating.uv, 1);
-  add(uw, coating.uw, -1);
-  add(vw, coating.vw, -1);
-  add(hoop, coating.hoop, -1);
+  add_to(ww, other.ww, 1);
+  add_to(uu, other.uu, 1);
+  add_to(vv, other.vv, 1);
+  add_to(uv, other.uv, 1);
+  add_to(uw, other.uw, cross);
+  add_to(vw, other.vw, cross);
+  add_to(hoop, other.hoop, cross);
 }
 
 namespace {
@@ -115,10 +116,10 @@ std::shared_ptr<const InfluenceTable> sphere_table(const TableKey& key) {
 }
 
 /// What a coating whose table alone is this one adds to that of a surface.
-std::shared_ptr<const InfluenceTable> part_of_coating(const ContactModel& model, const InfluenceTable& alone) {
+InfluenceTable part_of_coating(const ContactModel& model, const InfluenceTable& alone) {
   InfluenceTable part(alone.reach_x(), alone.reach_y());
   part.add_coating(coating_remembers_ahead(model) ? alone.reversed() : alone);
-  return std::make_shared<const InfluenceTable>(std::move(part));
+  return part;
 }
 
 /// Of whatever is more than one layer of one material without inertia (`ContactModel::composite`).
@@ -132,7 +133,7 @@ InfluenceTable composite_table(const ContactModel& model, const SurfaceGrid& gri
   if (coating.empty()) return sum;
   const std::shared_ptr<const InfluenceTable> body = table_of(coating);
   sum.add_coating(coating_remembers_ahead(model) ? body->reversed() : *body);
-  sum.coating = part_of_coating(model, *body);
+  sum.coating = std::make_shared<const InfluenceTable>(part_of_coating(model, *body));
   return sum;
 }
 
@@ -156,10 +157,6 @@ InfluenceTable without_sinking(InfluenceTable table) {
   return table;
 }
 
-}  // namespace
-
-namespace {
-
 /// All but a coating's part.
 InfluenceTable surface_table(const ContactModel& model, const SurfaceGrid& grid) {
   const bool sphere = model.dimension == 3;
@@ -178,12 +175,41 @@ InfluenceTable surface_table(const ContactModel& model, const SurfaceGrid& grid)
   return sphere || has_rigid_base(model) ? table : without_sinking(std::move(table));
 }
 
+/// Of a coating alone. Bodies of a train have a coating each: a ring comes round after a turn, whatever the period, and
+/// a flat coating never.
+InfluenceTable coating_table(const ContactModel& model, const SurfaceGrid& grid) {
+  ContactModel alone = coating_alone(model);
+  if (model.period && model.ring()) {
+    const double turn = 2 * M_PI * model.radius;
+    alone.series_terms = static_cast<int>(std::ceil(model.series_terms * turn / *model.period));
+    alone.period = turn;
+  } else {
+    alone.period.reset();
+  }
+  return surface_table(alone, grid);
+}
+
 }  // namespace
 
 InfluenceTable influence_table(const ContactModel& model, const SurfaceGrid& grid) {
-  InfluenceTable table = surface_table(model, grid);
-  if (!model.coating.empty() && !table.coating)
-    table.coating = part_of_coating(model, surface_table(coating_alone(model), grid));
+  if (model.coating.empty()) {
+    InfluenceTable table = surface_table(model, grid);
+    const LongWaveCorrection correction(steady_surface(model), grid);
+    correction.add_to(table);
+    table.steps = std::abs(correction.mended() / correction.whole());
+    return table;
+  }
+  const ContactModel foundation = foundation_alone(model);
+  InfluenceTable table = surface_table(model.period ? foundation : model, grid);
+  InfluenceTable part = table.coating ? *table.coating : part_of_coating(model, coating_table(model, grid));
+  if (model.period) table.add(part);
+  const LongWaveCorrection of_foundation(steady_surface(foundation), grid);
+  const LongWaveCorrection of_coating(steady_surface(coating_alone(model)), grid, coating_remembers_ahead(model));
+  of_foundation.add_to(table);
+  of_coating.add_to(table);
+  of_coating.add_to(part);
+  table.steps = std::abs((of_foundation.mended() + of_coating.mended()) / (of_foundation.whole() + of_coating.whole()));
+  table.coating = std::make_shared<const InfluenceTable>(std::move(part));
   return table;
 }
 

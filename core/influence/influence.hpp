@@ -44,8 +44,12 @@ class InfluenceTable {
   /// Those with the offsets the other way, and displacements in place of forces.
   InfluenceTable transposed() const;
   /// Adds those of a coating, whose cross terms are opposite (steady_surface.hpp).
-  void add_coating(const InfluenceTable& coating);
+  void add_coating(const InfluenceTable& coating) { add(coating, -1); }
+  /// @param cross sign of its cross terms
+  void add(const InfluenceTable& other, double cross = 1);
 
+  /// What of a long wave's displacement steps between cells had made, and was taken out (long_waves.hpp) [1].
+  double steps = 0;
   /// What the body's coating has of these, if there is one.
   std::shared_ptr<const InfluenceTable> coating;
 

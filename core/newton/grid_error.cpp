@@ -189,8 +189,9 @@ double expected_change_of_tied_line(double last, double before, const ContactPow
 
 double GridError::estimate(double resistance, double change, double open_still) const {
   const double mended = slow_share * std::min(1.0, std::abs(slow_loss / resistance));
+  constexpr double of_steps = 0.7;  // of thin incompressible layers under spheres, of what was mended, at most
   return 1.25 * std::hypot((1 - mended) * change, mended * open_still) + of_unresolved * (1 - slow_share) * unresolved +
-         slow_share * slow_error;
+         slow_share * slow_error + of_steps * steps * std::abs(resistance);
 }
 
 namespace {

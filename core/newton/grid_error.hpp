@@ -20,6 +20,7 @@ struct GridError {
   double unresolved = 0;     ///< estimated error of the grid's own, by (N21) [N]
   double slow_share = 0;     ///< how much of `slow_loss` to take: 0 to 1, smooth in all inputs
   double memory_length = 0;  ///< longest V tau [m]
+  double steps = 0;          ///< `InfluenceTable::steps`
 
   /// Estimated error of a resistance [N], from `expected_change` (N22). Where the viscous loss is that of slow rolling,
   /// a finer grid changes friction's part and the load that is found alone, by `open_still` or so.

@@ -75,6 +75,7 @@ void measure(ContactLevel& level) {
   level.powers = contact_powers(*level.problem, outcome.moved, moved_coating(*level.influence, outcome.unknowns),
                                 outcome.unknowns, outcome.zone);
   level.error = grid_error(*level.problem, outcome.unknowns.pressure, outcome.zone, level.powers);
+  level.error.steps = level.table->steps;
 }
 
 /// None with the paper's kinematics, whose grid is the paper's, with adhesion, or where the load is not given.

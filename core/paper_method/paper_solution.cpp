@@ -62,6 +62,7 @@ PaperAnswer solve_paper(const ContactModel& model, double spacing) {
       answer.powers = summed.powers;
       solution.law_violation = std::max(solution.law_violation, asymmetry);
       answer.error = grid_error(problem, unknowns.pressure, zone, answer.powers);
+      answer.error.steps = table.steps;
     }
     solution.status = state.status;
     solution.reason = state.reason;

@@ -175,7 +175,7 @@ TEST_CASE(
         .speed = 0.002145,
         .load = 2.377e6,
         .friction_coefficient = 0.03524,
-        .spacing = 0.005751,
+        .spacing = 0.002,
         .drive = Drive::torque,
         .given = 7396}},
       {Indenter::sphere,
