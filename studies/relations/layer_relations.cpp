@@ -9,6 +9,7 @@
 #include "core/estimate/grid_choice.hpp"
 #include "core/material/material.hpp"
 #include "core/model/contact_surface.hpp"
+#include "studies/relations/scenes_to_relate.hpp"
 
 namespace rollres {
 
@@ -26,7 +27,8 @@ std::vector<double> cut_thickness(Dice& dice, double thickness, double width, in
   return parts;
 }
 
-RelatedPair cut(Dice& dice, const RollingScene& scene, int pieces) {
+RelatedPair cut(Dice& dice, RollingScene scene, int pieces) {
+  leave_softening_out(scene);
   RollingScene other = scene;
   const double width = dice.log_uniform(0.1, 10) * estimate_contact(scene).half_width;
   const auto lower = static_cast<int>(scene.lower_layers.size());
@@ -34,9 +36,7 @@ RelatedPair cut(Dice& dice, const RollingScene& scene, int pieces) {
   if (layer == 0) {
     const std::vector<double> parts = cut_thickness(dice, scene.layer_thickness, width, pieces);
     other.layer_thickness = parts.front();
-    BondedLayer piece;
-    static_cast<MaterialInputs&>(piece) = scene;
-    piece.layer_density = scene.layer_density;
+    BondedLayer piece = scene;
     for (int i = pieces - 1; i > 0; --i) {
       piece.layer_thickness = parts[static_cast<std::size_t>(i)];
       other.lower_layers.insert(other.lower_layers.begin(), piece);
@@ -68,12 +68,6 @@ void make_larger(RollingScene& scene) {
   if (scene.load) *scene.load /= larger;
 }
 
-/// Of a cylinder's layers: the contact's sagitta over their thickness, or over the half-width where that is less [1].
-double strain_estimate(const RollingScene& scene) {
-  const double half_width = estimate_contact(scene).half_width;
-  return half_width * half_width / scene.radius / std::min(half_width, total_thickness(scene));
-}
-
 }  // namespace
 
 RelatedPair cut_in_two(Dice& dice, RollingScene scene) { return cut(dice, scene, 2); }
@@ -81,6 +75,8 @@ RelatedPair cut_in_five(Dice& dice, RollingScene scene) { return cut(dice, scene
 
 /// Without friction only the sum of what both sides yield counts.
 RelatedPair exchanged(Dice& dice, RollingScene scene) {
+  leave_heat_out(scene);
+  if (scene.method == Method::finite_strain) return {};
   const double thickest = dice.uniform(0.1, 0.3) * scene.radius;
   if (scene.coating_layers.empty()) {
     if (scene.lower_layers.empty()) return {};
@@ -101,13 +97,9 @@ RelatedPair exchanged(Dice& dice, RollingScene scene) {
   if (ring && memories * longest_memory(scene) > 2 * std::numbers::pi * scene.radius) return {};
 
   RollingScene other = scene;
-  static_cast<MaterialInputs&>(other) = scene.coating_layers.front();
-  other.layer_thickness = scene.coating_layers.front().layer_thickness;
+  static_cast<BondedLayer&>(other) = scene.coating_layers.front();
   other.lower_layers.assign(scene.coating_layers.begin() + 1, scene.coating_layers.end());
-  BondedLayer first;
-  static_cast<MaterialInputs&>(first) = scene;
-  first.layer_thickness = scene.layer_thickness;
-  other.coating_layers = {first};
+  other.coating_layers = {static_cast<const BondedLayer&>(scene)};
   other.coating_layers.insert(other.coating_layers.end(), scene.lower_layers.begin(), scene.lower_layers.end());
   // Whose slope the pressure pushes against decides how the resistance is shared by force and torque.
   return RelatedScenes{.one = scene,
@@ -147,6 +139,8 @@ RelatedPair weightless(Dice& dice, RollingScene scene) {
 /// On elastic layers a cylinder that slides forwards everywhere is the mirror image of one that slides backwards. It
 /// slides so where the creepage is larger than the strains along the surface, of about the approach over the depth.
 RelatedPair mirrored(Dice& dice, RollingScene scene) {
+  leave_heat_out(scene);
+  leave_softening_out(scene);
   scene.skew_angle.reset();
   scene.camber_angle = scene.pivot = 0;
   for (MaterialInputs* const layer : layer_materials(scene)) {
@@ -188,6 +182,8 @@ RelatedPair turned_back(Dice&, RollingScene scene) {
 }
 
 RelatedPair long_period(Dice&, RollingScene scene) {
+  leave_heat_out(scene);
+  leave_softening_out(scene);
   if (!on_grid(scene.method) || !scene.spacing || !has_rigid_base(scene)) return {};
   scene.inertia = Inertia::off;
   // Memories fade to e^-25 = 1e-11, elastic displacements within 10 H to less.
@@ -205,6 +201,8 @@ RelatedPair long_period(Dice&, RollingScene scene) {
 }
 
 RelatedPair closed_ring(Dice& dice, RollingScene scene) {
+  leave_heat_out(scene);
+  leave_softening_out(scene);
   constexpr double nodes = 40, waves_per_cell = 24;
   const double turn = 2 * std::numbers::pi * scene.radius;
   if (scene.coating_layers.empty()) {
@@ -232,6 +230,8 @@ RelatedPair closed_ring(Dice& dice, RollingScene scene) {
 }
 
 RelatedPair deep_layer(Dice&, RollingScene scene) {
+  leave_heat_out(scene);
+  leave_softening_out(scene);
   if (!scene.load) return {};
   (scene.lower_layers.empty() ? scene.layer_thickness : scene.lower_layers.back().layer_thickness) = infinite_thickness;
   // A layer of 1,000 memories: over longer ways it is stiffer than a half-space, and slow memories feel that.

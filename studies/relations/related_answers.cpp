@@ -17,13 +17,13 @@ namespace {
 /// errors of R_r.
 struct ComparedOutput {
   std::string_view key;
-  enum { own, resistance, force, torque, length, rotation, shear, bond, power } scale = own;
+  enum { own, resistance, force, torque, length, rotation, shear, bond, power, temperature } scale = own;
   double cells = 0;   ///< of a cell's share of the contact, where cells differ [1]
   double smooth = 0;  ///< of its power of 3/2: what edges between nodes do to integrals over the contact [1]
   double points = 0;  ///< with continuous edges, of a peak that is looked for between the points of a solution [1]
 };
 
-constexpr std::array<ComparedOutput, 28> compared_outputs{{{"rolling_resistance", ComparedOutput::resistance},
+constexpr std::array<ComparedOutput, 39> compared_outputs{{{"rolling_resistance", ComparedOutput::resistance},
                                                            {"driving_force", ComparedOutput::force, 0, 1},
                                                            {"driving_torque", ComparedOutput::torque, 0, 1},
                                                            {"rotation_ratio", ComparedOutput::rotation, 5},
@@ -50,7 +50,18 @@ constexpr std::array<ComparedOutput, 28> compared_outputs{{{"rolling_resistance"
                                                            {"peak_strain_amplitude"},
                                                            {"bond_shear", ComparedOutput::bond},
                                                            {"bond_tension", ComparedOutput::bond},
-                                                           {"interior_loss", ComparedOutput::power}}};
+                                                           {"interior_loss", ComparedOutput::power},
+                                                           {"softening"},
+                                                           {"mean_temperature", ComparedOutput::temperature},
+                                                           {"peak_temperature", ComparedOutput::temperature},
+                                                           {"bond_temperature", ComparedOutput::temperature},
+                                                           {"surface_temperature", ComparedOutput::temperature},
+                                                           {"temperatures[1]", ComparedOutput::temperature},
+                                                           {"temperatures[2]", ComparedOutput::temperature},
+                                                           {"heat_to_air", ComparedOutput::power},
+                                                           {"heat_to_ground", ComparedOutput::power},
+                                                           {"heat_to_core", ComparedOutput::power},
+                                                           {"fourier"}}};
 
 /// The error that an answer states for an output, in its unit; NaN where it states none.
 double own_error(const RollingSolution& solution, std::string_view key) {
@@ -92,6 +103,8 @@ double scale_of(const ComparedOutput& output, const RollingScene& scene, const R
       return std::max(own, 1e-6 * s.peak_pressure);
     case ComparedOutput::power:
       return std::max(own, resistance * scene.speed);
+    case ComparedOutput::temperature:  // by what the layers are warmed, and a kelvin at least
+      return std::max(1.0, std::abs(s.peak_temperature - *scene.ambient_temperature));
     default:
       return own;
   }
@@ -132,8 +145,8 @@ struct Compared {
   }
   /// The larger share of a cell in the contact; 0 without a grid.
   static double cell_share(const RollingSolution& solution) {
-    if (!on_grid(solution.method) && solution.method != Method::finite_strain) return 0;
-    return solution.spacing / (solution.leading_edge - solution.trailing_edge);
+    if (solution.method == Method::finite_strain) return 1.0 / solution.contact_nodes;
+    return on_grid(solution.method) ? solution.spacing / (solution.leading_edge - solution.trailing_edge) : 0;
   }
   /// What both state as errors of R_r, over what it is measured against [1].
   double stated() const {
@@ -165,8 +178,10 @@ struct Compared {
            beyond_stated * (known ? first : second) / scale;
   }
   double allowed(const ComparedOutput& output, double scale) const {
-    // The direction of shear is that of the slip, which vanishes at the border of the zone that sticks.
-    const double exact = scenes.exact * (output.scale == ComparedOutput::shear ? 30 : 1);
+    // The direction of shear is that of the slip, which vanishes at the border of the zone that sticks. A temperature
+    // is found to 1e-8 of itself, not of the warming.
+    const bool loose = output.scale == ComparedOutput::shear || output.scale == ComparedOutput::temperature;
+    const double exact = scenes.exact * (loose ? 30 : 1);
     if (scenes.strict) return scenes.sensitivity * exact;
     return scenes.sensitivity * (exact + of_shared_yield() + (same_cells() ? 0 : left(output, scale)));
   }

@@ -21,9 +21,6 @@ inline auto known_scene(RollingScene scene) {
 /// The layers of a scene, each as its inputs of material.
 std::vector<MaterialInputs*> layer_materials(RollingScene& scene);
 
-/// Without friction nothing else but the load acts on the body.
-void leave_friction_out(RollingScene& scene);
-
 // Of layers and bodies (layer_relations.cpp).
 RelatedPair cut_in_two(Dice& dice, RollingScene scene);
 RelatedPair cut_in_five(Dice& dice, RollingScene scene);

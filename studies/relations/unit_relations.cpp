@@ -84,9 +84,9 @@ RelatedPair given_back(Dice&, RollingScene scene) {
 double UnitFactors::of(std::string_view unit) const {
   struct Dimension {
     std::string_view unit;
-    int length, modulus, time;
+    double length, modulus, time;
   };
-  static constexpr std::array<Dimension, 14> dimensions{{{"m", 1, 0, 0},
+  static constexpr std::array<Dimension, 18> dimensions{{{"m", 1, 0, 0},
                                                          {"m2", 2, 0, 0},
                                                          {"Pa", 0, 1, 0},
                                                          {"s", 0, 0, 1},
@@ -99,6 +99,10 @@ double UnitFactors::of(std::string_view unit) const {
                                                          {"N.m", 3, 1, 0},
                                                          {"W", 3, 1, -1},
                                                          {"W/m", 2, 1, -1},
+                                                         {"W/m/K", 2, 1, -1},
+                                                         {"W/m2/K", 1, 1, -1},
+                                                         {"J/m3/K", 0, 1, 0},
+                                                         {"W.s0.5/m2/K", 1, 1, -0.5},
                                                          {"1/m", -1, 0, 0}}};
   for (const Dimension& dimension : dimensions)
     if (dimension.unit == unit)

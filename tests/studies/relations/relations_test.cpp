@@ -14,7 +14,7 @@
 #include "tests/studies/program.hpp"
 #include "tests/studies/temporary_directory.hpp"
 
-// Covers layer_relations, material_relations, unit_relations, related_answers, relation_run and command_stability, too.
+// Covers layer_relations, material_relations, unit_relations, scenes_to_relate, related_answers, relation_run and command_stability, too.
 
 using namespace rollres;
 using Catch::Matchers::Contains;
