@@ -41,6 +41,7 @@ class TemperatureSearch {
       if (!find_more()) break;
     std::sort(found_.states.begin(), found_.states.end(),
               [](const auto& a, const auto& b) { return a.temperature < b.temperature; });
+    leave_out_twins();
     if (found_.states.empty() && !found_.unanswered) found_.beyond = temperatures_.back();
     return std::move(found_);
   }
@@ -157,6 +158,20 @@ class TemperatureSearch {
     const double shown = (before + behind) * (std::abs(excess[i]) < nearer * rise ? 0.1 : 1);
     const auto above = samples_.lower_bound(turn - shown);
     if (above == samples_.end() || above->first > turn + shown) ask(turn);
+  }
+
+  /// Stable and unstable states take turns: two of a kind beside one another are one, found twice where the excess is
+  /// flat.
+  void leave_out_twins() {
+    std::vector<SteadyTemperature>& states = found_.states;
+    for (std::size_t i = 1; i < states.size();) {
+      if (states[i].stable != states[i - 1].stable) {
+        ++i;
+        continue;
+      }
+      const bool latter = std::abs(states[i].missed) < std::abs(states[i - 1].missed);
+      states.erase(states.begin() + static_cast<std::ptrdiff_t>(latter ? i - 1 : i));
+    }
   }
 
   /// To the state between two temperatures, if exact answers have one there.

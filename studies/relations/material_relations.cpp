@@ -89,6 +89,8 @@ RelatedPair term_unseen(Dice& dice, RollingScene scene) {
       longer.relaxation_times.push_back(contact_time * dice.log_uniform(1e-8, 1e8) / shift);
       return RelatedScenes{.one = scene, .other = known_scene(other)};
     case 1: {
+      // In the mean of all its turns a ring is at rest, however long it remembers.
+      if (ContactModel(scene).ring()) return {};
       const double slowest = *std::max_element(layer->relaxation_times.begin(), layer->relaxation_times.end());
       const double length = std::max(half_width, finite_thickness(scene)) / scene.speed;
       time = beyond * std::max(length / shift, slowest);

@@ -109,6 +109,31 @@ TEST_CASE("all states of random peaks are found that a dense scan finds", "[core
   CHECK(answers < 6 * ones);
 }
 
+TEST_CASE("states of an excess that is flat for some kelvin are told once each", "[core][heat]") {
+  // A random scene: three states, between which the excess is some thousandths of a kelvin.
+  constexpr double cold = 317.529, middle = 318.348, warm = 321.329;
+  const auto excess = [&](double at) {
+    const double flat = (at - cold) * (at - middle) * (at - warm), far = at - middle;
+    return -5e-4 * flat / (1 + 1e-3 * far * far);
+  };
+  RiseEstimate estimate{{}, {}, 1, 282};
+  for (double at = 282; at < 600; at += 4) {
+    estimate.temperatures.push_back(at);
+    estimate.rise.push_back(std::max(1.0, 34.7 * std::exp(-0.02 * std::abs(at - 325))));
+  }
+  const SteadyTemperatures found = steady_temperatures(estimate, [&](double at) {
+    return std::optional<HeatBalance>({282, std::max(0.5, at - 282 + excess(at))});
+  });
+  REQUIRE(!found.states.empty());
+  CHECK(found.states.size() % 2 == 1);
+  for (std::size_t i = 0; i < found.states.size(); ++i) {
+    const double at = found.states[i].temperature;
+    CAPTURE(i, at);
+    CHECK(found.states[i].stable == (i % 2 == 0));
+    CHECK(std::min({std::abs(at - cold), std::abs(at - middle), std::abs(at - warm)}) < 0.05);
+  }
+}
+
 TEST_CASE("where more is lost than leaves up to the last temperature there is no state, and it is told",
           "[core][heat]") {
   RiseEstimate estimate{{293, 393, 493, 693}, {1, 1, 1, 1}, 30, 293};
