@@ -76,6 +76,7 @@ RelatedPair cut_in_five(Dice& dice, RollingScene scene) { return cut(dice, scene
 /// Without friction only the sum of what both sides yield counts.
 RelatedPair exchanged(Dice& dice, RollingScene scene) {
   leave_heat_out(scene);
+  leave_softening_out(scene);
   if (scene.method == Method::finite_strain) return {};
   const double thickest = dice.uniform(0.1, 0.3) * scene.radius;
   if (scene.coating_layers.empty()) {
