@@ -17,9 +17,9 @@ namespace {
 constexpr std::string_view rigid = "rigid body and base", no_inertia = "no inertia", recovered_ring = "recovered ring",
                            straight_passage = "straight passage", linear_materials = "linear materials",
                            plane_strain = "plane strain";
-constexpr std::array<std::string_view, 9> names{small_strains,    rigid,          no_inertia,
-                                                flat_coating,     recovered_ring, straight_passage,
-                                                linear_materials, no_heat,        plane_strain};
+constexpr std::array<std::string_view, 10> names{
+    small_strains,    rigid,           no_inertia,       flat_coating, recovered_ring,
+    straight_passage, one_temperature, linear_materials, no_heat,      plane_strain};
 
 /// Steel: G [Pa], nu.
 constexpr double steel_modulus = 81e9, steel_poisson = 0.3;

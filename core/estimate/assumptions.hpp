@@ -14,7 +14,8 @@
 namespace rollres {
 
 /// Names of assumptions of which others speak, too.
-inline constexpr std::string_view small_strains = "small strains", flat_coating = "flat coating", no_heat = "no heat";
+inline constexpr std::string_view small_strains = "small strains", flat_coating = "flat coating", no_heat = "no heat",
+                                  one_temperature = "one temperature";
 
 struct Assumption {
   std::string_view name;              ///< "small strains"

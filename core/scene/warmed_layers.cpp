@@ -1,22 +1,55 @@
 #include "core/scene/warmed_layers.hpp"
 
+#include <type_traits>
+#include <utility>
+
 namespace rollres {
+
+namespace {
+
+/// Those of a scene, const or not, from the contact away.
+template <class Scene, class Visitor>
+void visit_warmed(Scene& scene, const Visitor& visitor) {
+  using Layer = std::conditional_t<std::is_const_v<Scene>, const BondedLayer, BondedLayer>;
+  const bool covered = !scene.coating_layers.empty();
+  if (!covered) visitor(static_cast<Layer&>(scene));
+  for (Layer& layer : covered ? scene.coating_layers : scene.lower_layers) visitor(layer);
+}
+
+}  // namespace
 
 std::vector<const MaterialInputs*> warmed_layers(const RollingScene& scene) {
   std::vector<const MaterialInputs*> layers;
-  if (scene.coating_layers.empty()) layers.push_back(&scene);
-  for (const BondedLayer& layer : scene.coating_layers.empty() ? scene.lower_layers : scene.coating_layers)
-    layers.push_back(&layer);
+  visit_warmed(scene, [&](const BondedLayer& layer) { layers.push_back(&layer); });
   return layers;
 }
 
 RollingScene at_temperature(RollingScene scene, double temperature) {
   scene.heat = Heat::off;
-  const auto warm = [&](MaterialInputs& layer) {
+  visit_warmed(scene, [&](BondedLayer& layer) {
     if (has_shift(layer)) layer.temperature = temperature;
-  };
-  if (scene.coating_layers.empty()) warm(scene);
-  for (BondedLayer& layer : scene.coating_layers.empty() ? scene.lower_layers : scene.coating_layers) warm(layer);
+  });
+  return scene;
+}
+
+RollingScene at_temperatures(RollingScene scene, int pieces, const std::function<double(double)>& temperature) {
+  scene.heat = Heat::off;
+  BondedLayers cut;
+  double depth = 0;
+  visit_warmed(std::as_const(scene), [&](const BondedLayer& layer) {
+    BondedLayer piece = layer;
+    piece.layer_thickness /= pieces;
+    for (int i = 0; i < pieces; ++i, depth += piece.layer_thickness) {
+      if (has_shift(piece)) piece.temperature = temperature(depth + 0.5 * piece.layer_thickness);
+      cut.push_back(piece);
+    }
+  });
+  if (scene.coating_layers.empty()) {
+    static_cast<BondedLayer&>(scene) = cut.front();
+    scene.lower_layers.assign(cut.begin() + 1, cut.end());
+  } else {
+    scene.coating_layers = std::move(cut);
+  }
   return scene;
 }
 
@@ -27,9 +60,8 @@ bool depends_on_temperature(const RollingScene& scene) {
 }
 
 double warmed_thickness(const RollingScene& scene) {
-  double thickness = scene.coating_layers.empty() ? scene.layer_thickness : 0;
-  for (const BondedLayer& layer : scene.coating_layers.empty() ? scene.lower_layers : scene.coating_layers)
-    thickness += layer.layer_thickness;
+  double thickness = 0;
+  visit_warmed(scene, [&](const BondedLayer& layer) { thickness += layer.layer_thickness; });
   return thickness;
 }
 

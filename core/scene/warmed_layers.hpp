@@ -3,6 +3,7 @@
 /// The layers that the heat of rolling warms: those on the body, or, of a body without, those under it (a belt that
 /// comes round again). A floor under a covered body is always met where it has not been warmed.
 
+#include <functional>
 #include <vector>
 
 #include "core/scene/scene.hpp"
@@ -15,6 +16,10 @@ std::vector<const MaterialInputs*> warmed_layers(const RollingScene& scene);
 /// The same scene without heat, its warmed layers at a temperature: those whose materials have a law of shift.
 /// @param temperature [K]
 RollingScene at_temperature(RollingScene scene, double temperature);
+
+/// The same with each warmed layer cut into pieces of equal thickness, as warm as their middles are.
+/// @param temperature at a depth below the face in contact [m] -> [K]
+RollingScene at_temperatures(RollingScene scene, int pieces, const std::function<double(double)>& temperature);
 
 /// Whether a material of the warmed layers depends on the temperature.
 bool depends_on_temperature(const RollingScene& scene);

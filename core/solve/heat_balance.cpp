@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "core/estimate/assumptions.hpp"
+#include "core/estimate/composite_estimate.hpp"
 #include "core/estimate/grid_choice.hpp"
 #include "core/heat/loss_estimate.hpp"
 #include "core/heat/steady_temperatures.hpp"
@@ -115,12 +116,12 @@ class HeatBalanceSolution {
     solution.model += message_text<6>("; the warmed layers at ", solution.mean_temperature,
                                       " K, the mean by their own loss, found in ", answers_.size(),
                                       answers_.size() == 1 ? " solution" : " solutions at one temperature each");
-    warn(states, profile, solution);
+    assume_one_temperature(profile, solution);
+    warn(states, solution);
     return solution;
   }
 
-  void warn(const std::vector<SteadyTemperature>& states, const TemperatureProfile& profile,
-            RollingSolution& solution) const {
+  void warn(const std::vector<SteadyTemperature>& states, RollingSolution& solution) const {
     constexpr double even = 20, settled = 1e-6;  // Peclet's number; of a temperature
     if (solution.peclet < even)
       solution.warnings.push_back(message_text("heat: Peclet's number is ", solution.peclet,
@@ -138,21 +139,27 @@ class HeatBalanceSolution {
       solution.warnings.push_back(
           "heat: more than one steady state: this one is reached by warming from cold; others at " + others);
     }
-    warn_of_gradient(profile, solution);
   }
 
-  /// Where the loss at the coldest or the warmest place is far from that at the mean.
-  void warn_of_gradient(const TemperatureProfile& profile, RollingSolution& solution) const {
+  /// What one temperature for all warmed layers changes: beside layers as warm as the profile, which stays as it is.
+  void assume_one_temperature(const TemperatureProfile& profile, RollingSolution& solution) const {
     if (!depends_on_temperature(scene_)) return;
-    constexpr double far = 0.25;
+    constexpr int pieces = 6;
     const double coldest = std::min(profile.face(), profile.bond());
-    const double warmest = std::min(profile.peak().temperature, last_scanned_);
-    const std::vector<double> losses = estimated_losses(scene_, {coldest, solution.mean_temperature, warmest});
-    const double change = std::max(std::abs(losses[0] / losses[1] - 1), std::abs(losses[2] / losses[1] - 1));
-    if (!(change > far)) return;
-    solution.warnings.push_back(message_text<4>("heat: the warmed layers are between ", coldest, " and ",
-                                                solution.peak_temperature, " K, where they would lose up to ",
-                                                100 * change, " % more or less than at the one temperature taken"));
+    const ContactModel one(at_temperature(scene_, solution.mean_temperature));
+    const ContactModel each(
+        at_temperatures(scene_, pieces, [&](double depth) { return std::min(profile.at(depth), last_scanned_); }));
+    const auto [change, scatter] = ResistanceChange(one, half_length(solution))(each);
+    if (!std::isfinite(change)) return;
+    const std::string range =
+        message_text<4>("the warmed layers are between ", coldest, " and ", solution.peak_temperature, " K");
+    solution.assumptions.push_back(in_words({one_temperature, range, change, scatter}));
+    solution.model_error = std::hypot(solution.model_error, std::abs(change) + scatter);
+    constexpr double far = 0.1;
+    if (std::abs(change) > far)
+      solution.warnings.push_back(
+          "heat: " + range +
+          message_text<2>(": layers as warm as they are would change R_r by about ", 100 * change, " %"));
   }
 
   const RollingScene& scene_;

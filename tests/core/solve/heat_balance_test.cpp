@@ -1,6 +1,9 @@
 #include "core/solve/heat_balance.hpp"
 
 #include <cmath>
+#include <cstdio>
+#include <string>
+#include <utility>
 
 #include "core/model/contact_model.hpp"
 #include "core/scene/warmed_layers.hpp"
@@ -55,6 +58,18 @@ int isothermal_solutions_of(const RollingSolution& solution) {
   const std::size_t place = solution.model.find("their own loss, found in ");
   REQUIRE(place != std::string::npos);
   return std::stoi(solution.model.substr(place + 25));
+}
+
+/// What its assumption of one temperature says: the change of R_r and its scatter [1].
+std::pair<double, double> told_of_one_temperature(const RollingSolution& solution) {
+  for (const std::string& assumption : solution.assumptions) {
+    double change = 0, scatter = 0;
+    const std::size_t place = assumption.find("without it R_r ");
+    if (assumption.starts_with("one temperature (") && place != std::string::npos &&
+        std::sscanf(assumption.c_str() + place, "without it R_r %lf %% +- %lf", &change, &scatter) == 2)
+      return {change / 100, scatter / 100};
+  }
+  return {NAN, NAN};
 }
 
 /// The scene at the temperature found has the same answer, and its loss makes this temperature.
@@ -217,4 +232,28 @@ TEST_CASE("moduli that soften with the strain do so at the temperature found", "
   const RollingSolution s = converged(belt);
   CHECK(s.softening < 1);
   check_own_temperature(belt, s);
+}
+
+TEST_CASE("what one temperature for a cover costs is what twelve of them change", "[core][heat]") {
+  // A cooled core, a core that takes nothing, and a belt with a warm other face.
+  RollingScene cooled = narrow_wheel(313.15), insulated = narrow_wheel(293.15), belt = warm_belt();
+  cooled.core_temperature = 288.15;
+  insulated.surface_heat_transfer = 60;
+  belt.core_temperature = 293.15;
+  for (RollingScene scene : {cooled, insulated, belt}) {
+    scene.friction_coefficient = 0;
+    scene.drive = Drive::free;
+    const RollingSolution warm = converged(scene);
+    const RollingScene one = at_temperature(scene, warm.mean_temperature);
+    const RollingSolution isothermal = converged(one);
+    const WarmedDepth depth = warmed_depth(scene, ContactModel(one).with_answer(isothermal), isothermal);
+    const RollingSolution each =
+        converged(at_temperatures(scene, 12, [&](double place) { return depth.profile.at(place); }));
+    const double change = each.rolling_resistance / isothermal.rolling_resistance - 1;
+    const auto [told, scatter] = told_of_one_temperature(warm);
+    CAPTURE(change, told, scatter, warm.surface_temperature, warm.bond_temperature);
+    CHECK(std::abs(change) > 2e-3);
+    CHECK(std::abs(told - change) < scatter + 0.1 * std::abs(change));
+    CHECK(warm.model_error >= std::abs(told));
+  }
 }
