@@ -8,6 +8,7 @@
 
 #include "core/solve/rolling_contact.hpp"
 #include "tests/catch.hpp"
+#include "tests/plain_scene.hpp"
 
 using namespace rollres;
 
@@ -151,45 +152,44 @@ TEST_CASE(
     Indenter indenter;
     Row row;
   };
-  const std::vector<Case> cases{
-      // Under twice the friction the body would dig itself in.
-      {Indenter::cylinder,
-       {.radius = 0.08543,
-        .layer_thickness = 0.02088,
-        .static_shear_modulus = 7.406e6,
-        .stiffening = 24.34,
-        .creep_time = 0.002696,
-        .speed = 0.1073,
-        .load = 1.242e5,
-        .friction_coefficient = 1.331,
-        .spacing = 0.0008744,
-        .drive = Drive::torque,
-        .given = -16610}},
-      // Friction gives more at some speed of rotation than where everything slides.
-      {Indenter::sphere,
-       {.radius = 0.141,
-        .layer_thickness = 0.001379,
-        .static_shear_modulus = 9.89e5,
-        .stiffening = 0.03007,
-        .creep_time = 0.001568,
-        .speed = 0.002145,
-        .load = 3e5,
-        .friction_coefficient = 0.03524,
-        .spacing = 0.0035,
-        .drive = Drive::torque,
-        .given = 900}},
-      {Indenter::sphere,
-       {.radius = 0.05327,
-        .layer_thickness = 0.05046,
-        .static_shear_modulus = 5.296e5,
-        .stiffening = 10.38,
-        .creep_time = 0.01209,
-        .speed = 0.0001376,
-        .load = 81.1,
-        .friction_coefficient = 0.005996,
-        .spacing = 0.00155,
-        .drive = Drive::torque,
-        .given = 0.03097}}};
+  const std::vector<Case> cases{// Under twice the friction the body would dig itself in.
+                                {Indenter::cylinder,
+                                 {.radius = 0.08543,
+                                  .layer_thickness = 0.02088,
+                                  .static_shear_modulus = 7.406e6,
+                                  .stiffening = 24.34,
+                                  .creep_time = 0.002696,
+                                  .speed = 0.1073,
+                                  .load = 1.242e5,
+                                  .friction_coefficient = 1.331,
+                                  .spacing = 0.0008744,
+                                  .drive = Drive::torque,
+                                  .given = -16610}},
+                                // Friction gives more at some speed of rotation than where everything slides.
+                                {Indenter::sphere,
+                                 {.radius = 0.141,
+                                  .layer_thickness = 0.001379,
+                                  .static_shear_modulus = 9.89e5,
+                                  .stiffening = 0.03007,
+                                  .creep_time = 0.001568,
+                                  .speed = 0.002145,
+                                  .load = 3e5,
+                                  .friction_coefficient = 0.03524,
+                                  .spacing = 0.0035,
+                                  .drive = Drive::torque,
+                                  .given = 900}},
+                                {Indenter::sphere,
+                                 {.radius = 0.05327,
+                                  .layer_thickness = 0.05046,
+                                  .static_shear_modulus = 5.296e5,
+                                  .stiffening = 10.38,
+                                  .creep_time = 0.01209,
+                                  .speed = 0.0001376,
+                                  .load = 81.1,
+                                  .friction_coefficient = 0.005996,
+                                  .spacing = 0.00155,
+                                  .drive = Drive::torque,
+                                  .given = 0.03097}}};
   for (const Case& one : cases) {
     RollingScene scene = scene_of(one.indenter, one.row);
     const RollingSolution refused = solve(scene);
@@ -204,6 +204,28 @@ TEST_CASE(
       scene.friction_coefficient = part * refused.friction_needed;
       check_converged(scene);
     }
+  }
+}
+
+TEST_CASE("a contact hundreds of times as long as its layer is thick obeys the laws on any grid",
+          "[core][newton_robustness]") {
+  // Where nodes are far softer than the contact as a whole, pressures met to 2e-10 left gaps of 1e-7 of its height.
+  RollingScene scene = plain_scene();
+  scene.indenter = Indenter::cylinder;
+  scene.radius = 1.2;
+  scene.layer_thickness = 5e-6;
+  scene.static_shear_modulus = 30e6;
+  scene.stiffening = 0.4;
+  scene.creep_time = 4e-5;
+  scene.speed = 1e-6;
+  scene.friction_coefficient = 0;
+  scene.drive = Drive::top_force;
+  scene.inertia = Inertia::off;
+  scene.load.reset();
+  scene.approach = 0.29e-6;
+  for (const double spacing : {2e-6, 1.5e-6, 1.3e-6, 1.2e-6}) {
+    scene.spacing = spacing;
+    check_converged(scene);
   }
 }
 
