@@ -142,6 +142,7 @@ class TemperatureSearch {
         refine(all[i - 1], all[i], excess[i - 1] > 0);
     if (samples_.size() > before) return true;
     for (std::size_t i = 1; i + 1 < all.size() && !found_.unanswered; ++i) look_at_turn(all, excess, i);
+    for (std::size_t i = 0; i < all.size() && !found_.unanswered; ++i) look_where_flat(all[i], excess[i]);
     if (found_.states.empty() && !found_.unanswered) ask(all.back());
     return samples_.size() > before;
   }
@@ -172,6 +173,15 @@ class TemperatureSearch {
       const bool latter = std::abs(states[i].missed) < std::abs(states[i - 1].missed);
       states.erase(states.begin() + static_cast<std::ptrdiff_t>(latter ? i - 1 : i));
     }
+  }
+
+  /// Asks where the estimate cannot tell on which side of 0 the excess is, unless an answer near by has.
+  void look_where_flat(double at, double excess) {
+    constexpr double told = 0.06, near = 0.2;  // of the rise
+    const double rise = excess + at - base_;
+    if (std::abs(excess) > told * rise) return;
+    const auto above = samples_.lower_bound(at - near * rise);
+    if (above == samples_.end() || above->first > at + near * rise) ask(at);
   }
 
   /// To the state between two temperatures, if exact answers have one there.

@@ -1,5 +1,7 @@
 #include "core/heat/steady_temperatures.hpp"
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <random>
 
@@ -132,6 +134,36 @@ TEST_CASE("states of an excess that is flat for some kelvin are told once each",
     CHECK(found.states[i].stable == (i % 2 == 0));
     CHECK(std::min({std::abs(at - cold), std::abs(at - middle), std::abs(at - warm)}) < 0.05);
   }
+}
+
+TEST_CASE("states are found where the estimate passes by within its error, without a turn", "[core][heat]") {
+  // The rise of a random scene, whose excess is -0.22 K at 299 and +0.38 K at 304 K; the estimate falls behind by 1.2 %
+  // a kelvin, and falls all the way.
+  constexpr std::array<double, 19> at{289, 291, 293, 295, 296, 297, 298, 299, 300, 301,
+                                      302, 303, 304, 306, 308, 310, 320, 340, 400};
+  constexpr std::array<double, 19> known{0.920, 1.351,  1.972,  2.854,  3.420, 4.086,  4.860, 5.749, 6.751, 7.850,
+                                         9.007, 10.158, 11.214, 12.709, 13.1,  12.478, 4.561, 0.260, 1e-3};
+  constexpr double base = 293.02;
+  const auto rise = [&](double temperature) {
+    const auto above = static_cast<std::size_t>(std::upper_bound(at.begin(), at.end(), temperature) - at.begin());
+    const std::size_t i = std::clamp<std::size_t>(above, 1, at.size() - 1);
+    const double share = (temperature - at[i - 1]) / (at[i] - at[i - 1]);
+    return std::exp((1 - share) * std::log(known[i - 1]) + share * std::log(known[i]));
+  };
+  std::vector<double> wanted;
+  for (double low = 289; low < 390; low += 0.01)
+    if ((base + rise(low) > low) != (base + rise(low + 0.01) > low + 0.01)) wanted.push_back(low);
+  REQUIRE(wanted.size() == 3);
+  RiseEstimate estimate{{}, {}, 1, base};
+  for (double temperature = 289; temperature < 390; temperature += 2.5) {
+    estimate.temperatures.push_back(temperature);
+    estimate.rise.push_back(rise(temperature) * std::exp(-0.012 * (temperature - 297.4)));
+  }
+  const SteadyTemperatures found = steady_temperatures(estimate, [&](double place) {
+    return std::optional<HeatBalance>({base, rise(place)});
+  });
+  REQUIRE(found.states.size() == 3);
+  for (std::size_t i = 0; i < 3; ++i) CHECK(found.states[i].temperature == Approx(wanted[i]).margin(0.02));
 }
 
 TEST_CASE("where more is lost than leaves up to the last temperature there is no state, and it is told",
