@@ -226,10 +226,15 @@ double NestedOutcome::last_change() const {
   return coarser.empty() ? RollingSolution::absent : std::abs(coarser.back().resistance - finest.powers.resistance());
 }
 
+double NestedOutcome::last_change_of_load() const {
+  return coarser.empty() ? 0 : std::abs(coarser.back().load / numbers().load - 1);
+}
+
 GridNumbers NestedOutcome::numbers() const {
   const ContactUnknowns& x = finest.outcome.unknowns;
   return {finest.powers.resistance(), finest.problem->turning_ratio(x.rotation_ratio),
-          finest.problem->side_force(x.pressure, x.shear_x, x.shear_y)};
+          finest.problem->side_force(x.pressure, x.shear_x, x.shear_y),
+          finest.problem->load(x.pressure, x.shear_x, x.shear_y)};
 }
 
 HalvingLimit NestedOutcome::limit(double GridNumbers::*number) const {

@@ -12,7 +12,7 @@ namespace rollres {
 
 /// Of one grid: R_r and the side force (ContactProblem), and R Omega/V [1].
 struct GridNumbers {
-  double resistance = 0, rotation_ratio = 0, side_force = 0;
+  double resistance = 0, rotation_ratio = 0, side_force = 0, load = 0;
 };
 
 struct NestedOutcome {
@@ -21,6 +21,7 @@ struct NestedOutcome {
   std::vector<GridNumbers> coarser;  // of the grids before, each of twice the spacing of the next; three at most
   double change_before = RollingSolution::absent;  // what R_r was expected to change on the last of them; NaN: unknown
   double last_change() const;                      // of R_r; NaN without a coarser grid [N]
+  double last_change_of_load() const;              // relative; 0 without one [1]
   GridNumbers numbers() const;                     // of the finest
   /// What one of them tends to: where friction decides, the half cell between the law's slip and its traction leaves an
   /// error that halves with the spacing of tied grids. Less so where slow rolling takes their place.

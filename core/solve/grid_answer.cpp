@@ -122,6 +122,15 @@ void take_limits(const NestedOutcome& nested, RollingSolution& solution) {
     solution.model += message_text("; rolling resistance that the grids tend to, share ", resistance.share);
 }
 
+/// Under a cylinder that is pressed in by a given way, friction changes the load as much with each halving of the cells
+/// as with all that follow, and the pressure with it.
+void widen_peak_error(const NestedOutcome& nested, RollingSolution& solution) {
+  const ContactModel& model = nested.finest.problem->model;
+  if (model.dimension == 3 || model.friction_coefficient == 0 || !model.approach) return;
+  constexpr double to_come = 2;
+  solution.peak_pressure_error += to_come * nested.last_change_of_load() * solution.peak_pressure;
+}
+
 RollingSolution answer_from(const NestedOutcome& nested, const ContactModel& model) {
   RollingSolution solution;
   if (nested.status == Status::converged) {
@@ -135,6 +144,7 @@ RollingSolution answer_from(const NestedOutcome& nested, const ContactModel& mod
     solution = std::move(answer.solution);
     take_slow_rolling(model, level.error, answer.powers, solution);
     take_limits(nested, solution);
+    widen_peak_error(nested, solution);
     set_error(nested.error_estimate(level.error, solution.rolling_resistance), solution);
     if (model.asked_tolerance && !(solution.rolling_resistance_error <= *model.tolerance * answer.powers.scale())) {
       solution.warnings.push_back(

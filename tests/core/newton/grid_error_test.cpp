@@ -10,7 +10,9 @@
 #include "core/reference/reference_hunter.hpp"
 #include "core/solve/rolling_contact.hpp"
 #include "tests/catch.hpp"
+#include "tests/core/converged.hpp"
 #include "tests/core/paper_scenes.hpp"
+#include "tests/plain_scene.hpp"
 
 using namespace rollres;
 
@@ -401,4 +403,32 @@ TEST_CASE("a memory shorter than a cell counts in the error alike, below the con
   REQUIRE(one.status == Status::converged);
   CHECK(one.rolling_resistance == Approx(exchanged.rolling_resistance).epsilon(1e-6));
   CHECK(one.rolling_resistance_error == Approx(exchanged.rolling_resistance_error).epsilon(1e-4));
+}
+
+TEST_CASE("the largest pressure under a given approach has friction's part of the load in its error",
+          "[core][grid_error]") {
+  // Much friction on a thin layer: 1e-3 off on a thousand nodes, which the edges and the peak itself do not show.
+  RollingScene scene = plain_scene();
+  scene.indenter = Indenter::cylinder;
+  scene.radius = 0.07955;
+  scene.layer_thickness = 0.001508;
+  scene.static_shear_modulus = 2.054e6;
+  scene.stiffening = 0.05574;
+  scene.creep_time = 3.815e-3;
+  scene.speed = 0.7234;
+  scene.load.reset();
+  scene.approach = 1.647e-4;
+  scene.friction_coefficient = 1.546;
+  scene.inertia = Inertia::off;
+  scene.method = Method::newton;
+  const auto found = [&](std::optional<double> spacing) {
+    scene.spacing = spacing;
+    return converged(scene);
+  };
+  const RollingSolution fine = found(4e-7);
+  for (const double spacing : {1.6e-5, 8e-6}) {
+    const RollingSolution coarse = found(spacing);
+    CAPTURE(spacing, coarse.peak_pressure, coarse.peak_pressure_error, fine.peak_pressure);
+    CHECK(std::abs(coarse.peak_pressure - fine.peak_pressure) < coarse.peak_pressure_error + fine.peak_pressure_error);
+  }
 }
