@@ -196,7 +196,7 @@ InfluenceTable influence_table(const ContactModel& model, const SurfaceGrid& gri
     InfluenceTable table = surface_table(model, grid);
     const LongWaveCorrection correction(steady_surface(model), grid);
     correction.add_to(table);
-    table.steps = std::abs(correction.mended() / correction.whole());
+    table.steps = correction.share();
     return table;
   }
   const ContactModel foundation = foundation_alone(model);
@@ -208,7 +208,7 @@ InfluenceTable influence_table(const ContactModel& model, const SurfaceGrid& gri
   of_foundation.add_to(table);
   of_coating.add_to(table);
   of_coating.add_to(part);
-  table.steps = std::abs((of_foundation.mended() + of_coating.mended()) / (of_foundation.whole() + of_coating.whole()));
+  table.steps = of_foundation.share_with(of_coating);
   table.coating = std::make_shared<const InfluenceTable>(std::move(part));
   return table;
 }

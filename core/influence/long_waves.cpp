@@ -33,6 +33,7 @@ complex of_steps(const Compliance& compliance, double k, double cell) {
 /// 0 where steps make less than a thousandth of a long wave, 1 from a hundredth on, smooth between them.
 double weight(double share) {
   constexpr double least = 1e-3, whole = 1e-2;
+  if (!(share > least)) return 0;
   const double t = std::clamp(std::log(share / least) / std::log(whole / least), 0.0, 1.0);
   return t * t * t * (10 + t * (6 * t - 15));
 }

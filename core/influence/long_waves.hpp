@@ -17,14 +17,18 @@ namespace rollres {
 /// at all, where cells make less than a hundredth, and a thousandth, of a wave of ten cells a radian.
 class LongWaveCorrection {
  public:
-  /// @param backwards whether the surface flows backwards, as it is not told of
+  /// @param backwards whether the surface, of a coating alone, flows against the motion
   LongWaveCorrection(const SteadySurface& surface, const SurfaceGrid& grid, bool backwards = false);
 
   void add_to(InfluenceTable& table) const;
-  /// Displacement in phase that was mended, and all of it, under a wave of ten cells a radian along the motion [m/Pa].
-  /// What lags of the former is that of memories shorter than a cell, of which (N21) in core/newton/README.md tells.
-  double mended() const { return mended_; }
-  std::complex<double> whole() const { return whole_; }
+  /// What was mended of the displacement in phase under a wave of ten cells a radian along the motion, over all of it,
+  /// by this surface and by another beside it [1]. What lags of the former is that of memories shorter than a cell, of
+  /// which (N21) in core/newton/README.md tells.
+  double share() const { return mended_ == 0 ? 0 : std::abs(mended_ / whole_); }
+  double share_with(const LongWaveCorrection& other) const {
+    const double mended = mended_ + other.mended_;
+    return mended == 0 ? 0 : std::abs(mended / (whole_ + other.whole_));
+  }
 
  private:
   double ahead_ = 0, behind_ = 0, aside_ = 0;  // of the neighbours at +x, -x and +-y
