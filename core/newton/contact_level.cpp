@@ -124,4 +124,15 @@ std::optional<double> end_in_contact(const ContactLevel& level) {
   return std::nullopt;
 }
 
+double residual_of_gaps(const ContactLevel& level, const ContactEstimate& estimate) {
+  constexpr double of_gaps = 1e-9, least = 1e-12;
+  const InfluenceTable& table = *level.table;
+  const SurfaceGrid& grid = level.problem->grid;
+  const bool line = level.problem->model.dimension == 2;
+  const double a = estimate.half_width, height = a * a / (2 * level.problem->model.radius);
+  const double pressure = estimate.load / (line ? 2 * a : M_PI * a * a);
+  const double yields = table.ww[static_cast<std::size_t>(table.index(0, 0))] * grid.cell_area() * pressure;
+  return std::max(least, of_gaps * height / yields);
+}
+
 }  // namespace rollres

@@ -38,4 +38,9 @@ SurfaceGrid follow(const ContactLevel& level, const SurfaceGrid& like, double ma
 /// Where the contact reaches the end of a profile [m]: there the pressure has no bound, and the grid decides it.
 std::optional<double> end_in_contact(const ContactLevel& level);
 
+/// The residual at which gaps are met beside the body's height, too. Laws are counted in pressure, by what a node
+/// yields to itself: of a layer far thinner than the contact is long a long wave yields far less, and a small pressure
+/// is a gap.
+double residual_of_gaps(const ContactLevel& level, const ContactEstimate& estimate);
+
 }  // namespace rollres

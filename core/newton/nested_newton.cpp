@@ -149,20 +149,6 @@ SurfaceGrid cover(const SurfaceGrid& a, const SurfaceGrid& b) {
   return both;
 }
 
-/// The residual at which gaps are met beside the body's height, too. Laws are counted in pressure, by what a node
-/// yields to itself: of a layer far thinner than the contact is long a long wave yields far less, and a small pressure
-/// is a gap.
-double residual_of_gaps(const ContactLevel& level, const ContactEstimate& estimate) {
-  constexpr double of_gaps = 1e-9, least = 1e-12;
-  const InfluenceTable& table = *level.table;
-  const SurfaceGrid& grid = level.problem->grid;
-  const bool line = level.problem->model.dimension == 2;
-  const double a = estimate.half_width, height = a * a / (2 * level.problem->model.radius);
-  const double pressure = estimate.load / (line ? 2 * a : M_PI * a * a);
-  const double yields = table.ww[static_cast<std::size_t>(table.index(0, 0))] * grid.cell_area() * pressure;
-  return std::max(least, of_gaps * height / yields);
-}
-
 }  // namespace
 
 ContactLevel solve_level(const ContactModel& model, SurfaceGrid grid, const ContactLevel* coarser, Effort effort) {
