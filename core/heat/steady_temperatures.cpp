@@ -157,8 +157,13 @@ class TemperatureSearch {
     // Of the parabola through the three.
     const double turn = all[i] - 0.5 * (up * behind + next * before) / (next - up);
     const double shown = (before + behind) * (std::abs(excess[i]) < nearer * rise ? 0.1 : 1);
-    const auto above = samples_.lower_bound(turn - shown);
-    if (above == samples_.end() || above->first > turn + shown) ask(turn);
+    ask_unless_near(turn, shown);
+  }
+
+  /// Asks at a temperature, unless an answer within so many kelvin has been given.
+  void ask_unless_near(double at, double distance) {
+    const auto above = samples_.lower_bound(at - distance);
+    if (above == samples_.end() || above->first > at + distance) ask(at);
   }
 
   /// Stable and unstable states take turns: two of a kind beside one another are one, found twice where the excess is
@@ -180,8 +185,7 @@ class TemperatureSearch {
     constexpr double told = 0.06, near = 0.2;  // of the rise
     const double rise = excess + at - base_;
     if (std::abs(excess) > told * rise) return;
-    const auto above = samples_.lower_bound(at - near * rise);
-    if (above == samples_.end() || above->first > at + near * rise) ask(at);
+    ask_unless_near(at, near * rise);
   }
 
   /// To the state between two temperatures, if exact answers have one there.

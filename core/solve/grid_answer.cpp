@@ -122,8 +122,8 @@ void take_limits(const NestedOutcome& nested, RollingSolution& solution) {
     solution.model += message_text("; rolling resistance that the grids tend to, share ", resistance.share);
 }
 
-/// Under a cylinder that is pressed in by a given way, friction changes the load as much with each halving of the cells
-/// as with all that follow, and the pressure with it.
+/// Under a cylinder that is pressed in by a given way, friction changes the load with each halving of the cells as much
+/// as with all that follow, or half of that where changes do not fall yet, and the pressure with it.
 void widen_peak_error(const NestedOutcome& nested, RollingSolution& solution) {
   const ContactModel& model = nested.finest.problem->model;
   if (model.dimension == 3 || model.friction_coefficient == 0 || !model.approach) return;
