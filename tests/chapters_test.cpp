@@ -17,9 +17,10 @@ namespace {
 
 /// The chapters from the ground up: each includes itself and those before it. core/reference stands as low as it does
 /// so that it includes no solver: it is the witness of all of them.
-constexpr std::array<std::string_view, 52> chapters{"core/scene",
+constexpr std::array<std::string_view, 53> chapters{"core/scene",
                                                     "core/messages",
                                                     "core/numerics",
+                                                    "core/algebra",
                                                     "core/reference",
                                                     "core/material",
                                                     "core/surface",

@@ -3,10 +3,10 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/algebra/krylov.hpp"
 #include "core/convolution/krylov_operator.hpp"
 #include "core/edge/edge_pressure.hpp"
 #include "core/model/contact_surface.hpp"
-#include "core/numerics/krylov.hpp"
 
 namespace rollres {
 

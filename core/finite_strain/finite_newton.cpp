@@ -4,9 +4,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/algebra/krylov.hpp"
 #include "core/messages/message_text.hpp"
 #include "core/model/indenter_shape.hpp"
-#include "core/numerics/krylov.hpp"
 
 namespace rollres {
 

@@ -7,10 +7,10 @@
 #include <array>
 #include <vector>
 
+#include "core/algebra/block_tridiagonal.hpp"
 #include "core/finite_strain/hyperelastic.hpp"
 #include "core/finite_strain/layer_mesh.hpp"
 #include "core/finite_strain/line_memory.hpp"
-#include "core/numerics/block_tridiagonal.hpp"
 #include "core/numerics/vector.hpp"
 
 namespace rollres {

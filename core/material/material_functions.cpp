@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/numerics/dense_algebra.hpp"
+#include "core/algebra/dense_algebra.hpp"
 #include "core/numerics/solution_limits.hpp"
 
 namespace rollres {

@@ -6,8 +6,8 @@
 #include <numbers>
 #include <numeric>
 
+#include "core/algebra/dense_algebra.hpp"
 #include "core/material/prony_series.hpp"
-#include "core/numerics/dense_algebra.hpp"
 #include "core/numerics/solution_limits.hpp"
 
 namespace rollres {

@@ -2,10 +2,10 @@
 
 #include <cmath>
 
+#include "core/algebra/dense_algebra.hpp"
+#include "core/algebra/krylov.hpp"
 #include "core/convolution/krylov_operator.hpp"
 #include "core/messages/message_text.hpp"
-#include "core/numerics/dense_algebra.hpp"
-#include "core/numerics/krylov.hpp"
 #include "core/numerics/solution_limits.hpp"
 
 namespace rollres {

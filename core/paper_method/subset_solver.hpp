@@ -14,7 +14,7 @@
 #include <functional>
 #include <vector>
 
-#include "core/numerics/dense_algebra.hpp"
+#include "core/algebra/dense_algebra.hpp"
 
 namespace rollres {
 

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/numerics/dense_algebra.hpp"
+#include "core/algebra/dense_algebra.hpp"
 #include "core/spectral/graded_slopes.hpp"
 #include "core/spectral/zoned_system.hpp"
 

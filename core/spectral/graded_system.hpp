@@ -3,7 +3,7 @@
 /// The linear problem inside given edges and borders where pressure and shear are coupled in short waves: compressible
 /// layers with friction, and inertia (core/spectral/README.md, section 9).
 
-#include "core/numerics/nearby_systems.hpp"
+#include "core/algebra/nearby_systems.hpp"
 #include "core/spectral/graded_grid.hpp"
 
 namespace rollres {

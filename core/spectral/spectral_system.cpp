@@ -3,8 +3,8 @@
 #include <cmath>
 #include <optional>
 
+#include "core/algebra/dense_algebra.hpp"
 #include "core/numerics/chebyshev.hpp"
-#include "core/numerics/dense_algebra.hpp"
 #include "core/numerics/solution_limits.hpp"
 #include "core/spectral/graded_system.hpp"
 #include "core/spectral/sliding_base.hpp"

@@ -15,7 +15,7 @@
 #include <optional>
 #include <vector>
 
-#include "core/numerics/nearby_systems.hpp"
+#include "core/algebra/nearby_systems.hpp"
 #include "core/spectral/spectral_problem.hpp"
 
 namespace rollres {

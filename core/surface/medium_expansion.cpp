@@ -3,11 +3,11 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/algebra/dense_algebra.hpp"
 #include "core/material/prony_series.hpp"
 #include "core/messages/message_text.hpp"
 #include "core/numerics/bracketed_root.hpp"
 #include "core/numerics/chebyshev.hpp"
-#include "core/numerics/dense_algebra.hpp"
 #include "core/numerics/solution_limits.hpp"
 
 namespace rollres {

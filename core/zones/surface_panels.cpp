@@ -5,7 +5,7 @@
 #include <optional>
 #include <utility>
 
-#include "core/numerics/dense_algebra.hpp"
+#include "core/algebra/dense_algebra.hpp"
 #include "core/numerics/quadrature.hpp"
 #include "core/spectral/graded_system.hpp"
 #include "core/zones/added_slopes.hpp"

@@ -5,7 +5,7 @@
 #include <limits>
 #include <optional>
 
-#include "core/numerics/dense_algebra.hpp"
+#include "core/algebra/dense_algebra.hpp"
 #include "fitting/descent/secant_slopes.hpp"
 
 namespace rollres {

@@ -5,7 +5,7 @@
 #include <limits>
 #include <stdexcept>
 
-#include "core/numerics/dense_algebra.hpp"
+#include "core/algebra/dense_algebra.hpp"
 
 namespace rollres {
 

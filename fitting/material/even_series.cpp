@@ -6,7 +6,7 @@
 #include <optional>
 #include <stdexcept>
 
-#include "core/numerics/dense_algebra.hpp"
+#include "core/algebra/dense_algebra.hpp"
 #include "fitting/material/material_fit.hpp"
 
 namespace rollres {

@@ -9,8 +9,8 @@
 #include <stdexcept>
 #include <utility>
 
+#include "core/algebra/dense_algebra.hpp"
 #include "core/material/passivity.hpp"
-#include "core/numerics/dense_algebra.hpp"
 #include "fitting/material/even_series.hpp"
 #include "fitting/material/free_shifts.hpp"
 #include "fitting/material/material_problem.hpp"

@@ -4,8 +4,8 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "core/algebra/dense_algebra.hpp"
 #include "core/messages/message_text.hpp"
-#include "core/numerics/dense_algebra.hpp"
 #include "fitting/errors/information_criteria.hpp"
 #include "fitting/material/material_problem.hpp"
 

@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "core/numerics/dense_algebra.hpp"
+#include "core/algebra/dense_algebra.hpp"
 #include "studies/text/readable_number.hpp"
 
 namespace rollres {

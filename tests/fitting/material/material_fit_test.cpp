@@ -4,8 +4,8 @@
 #include <numbers>
 #include <random>
 
+#include "core/algebra/dense_algebra.hpp"
 #include "core/material/material.hpp"
-#include "core/numerics/dense_algebra.hpp"
 #include "tests/catch.hpp"
 #include "tests/plain_scene.hpp"
 

@@ -1,4 +1,4 @@
-#include "core/numerics/dense_algebra.hpp"
+#include "core/algebra/dense_algebra.hpp"
 
 #include <cmath>
 

@@ -1,8 +1,8 @@
-#include "core/numerics/nearby_systems.hpp"
+#include "core/algebra/nearby_systems.hpp"
 
 #include <algorithm>
 
-#include "core/numerics/krylov.hpp"
+#include "core/algebra/krylov.hpp"
 
 namespace rollres {
 

@@ -9,7 +9,7 @@
 #include <optional>
 #include <vector>
 
-#include "core/numerics/dense_algebra.hpp"
+#include "core/algebra/dense_algebra.hpp"
 
 namespace rollres {
 

@@ -1,4 +1,4 @@
-#include "core/numerics/block_tridiagonal.hpp"
+#include "core/algebra/block_tridiagonal.hpp"
 
 #include "core/numerics/solution_limits.hpp"
 

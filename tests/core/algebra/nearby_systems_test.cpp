@@ -1,4 +1,4 @@
-#include "core/numerics/nearby_systems.hpp"
+#include "core/algebra/nearby_systems.hpp"
 
 #include <cmath>
 
