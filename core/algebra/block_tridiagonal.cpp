@@ -35,8 +35,8 @@ void BlockTridiagonal::factorise() {
   for (std::size_t k = 0; k < diagonal_.size(); ++k) {
     require_time();
     if (k > 0) diagonal_[k].topLeftCorner(shared_, shared_).noalias() -= lower_[k - 1] * upper_[k - 1];
-    decomposition_[k].compute(diagonal_[k]);
-    if (k + 1 < diagonal_.size()) upper_[k] = decomposition_[k].solve(upper_[k]).eval();
+    decomposition_[k].factorise(diagonal_[k]);
+    if (k + 1 < diagonal_.size()) upper_[k] = decomposition_[k].solve(upper_[k]);
   }
 }
 
@@ -47,7 +47,7 @@ Eigen::VectorXd BlockTridiagonal::solve(const Eigen::VectorXd& right_side) const
   for (Eigen::Index k = 0; k < blocks; ++k) {
     const auto at = static_cast<std::size_t>(k);
     if (k > 0) x.segment(k * size_, shared_).noalias() -= lower_[at - 1] * part(k - 1);
-    part(k) = decomposition_[at].solve(part(k)).eval();
+    part(k) = decomposition_[at].solve(Eigen::VectorXd(part(k)));
   }
   for (Eigen::Index k = blocks - 2; k >= 0; --k)
     part(k).noalias() -= upper_[static_cast<std::size_t>(k)] * x.segment((k + 1) * size_, shared_);

@@ -3,8 +3,9 @@
 /// Systems of equations whose unknowns stand in a row of blocks, each coupled to its neighbours alone.
 
 #include <Eigen/Core>
-#include <Eigen/LU>
 #include <vector>
+
+#include "core/algebra/dense_algebra.hpp"
 
 namespace rollres {
 
@@ -30,7 +31,7 @@ class BlockTridiagonal {
  private:
   Eigen::Index size_, shared_, unknowns_;
   std::vector<Eigen::MatrixXd> diagonal_, lower_, upper_;
-  std::vector<Eigen::PartialPivLU<Eigen::MatrixXd>> decomposition_;
+  std::vector<SquareSystem> decomposition_;
 };
 
 }  // namespace rollres

@@ -1,5 +1,7 @@
 #include "core/algebra/dense_algebra.hpp"
 
+#include <Eigen/Cholesky>
+#include <Eigen/LU>
 #include <Eigen/QR>
 #include <Eigen/SVD>
 
@@ -11,22 +13,87 @@
 
 namespace rollres {
 
+namespace {
+
+using Eigen::Lower, Eigen::UnitLower, Eigen::Upper;
+
+template <typename RightSide>
+RightSide solved_by_rows(const Eigen::MatrixXd& triangles, const Eigen::PermutationMatrix<Eigen::Dynamic>& rows,
+                         const RightSide& right_side) {
+  RightSide x = rows * right_side;
+  triangles.triangularView<UnitLower>().solveInPlace(x);
+  triangles.triangularView<Upper>().solveInPlace(x);
+  return x;
+}
+
+template <typename RightSide>
+RightSide solved_by_root(const Eigen::MatrixXd& lower, RightSide x) {
+  lower.triangularView<Lower>().solveInPlace(x);
+  lower.transpose().triangularView<Upper>().solveInPlace(x);
+  return x;
+}
+
+}  // namespace
+
 void SquareSystem::factorise(const Eigen::MatrixXd& matrix) {
   require_factorisation(static_cast<double>(matrix.rows()), "a factorisation");
-  decomposition_.compute(matrix);
+  triangles_ = matrix;
+  rows_ = Eigen::PartialPivLU<Eigen::Ref<Eigen::MatrixXd>>(triangles_).permutationP();
 }
 
 Eigen::MatrixXd SquareSystem::solve(const Eigen::MatrixXd& right_sides) const {
-  return decomposition_.solve(right_sides);
+  return solved_by_rows(triangles_, rows_, right_sides);
 }
 
 Eigen::VectorXd SquareSystem::solve(const Eigen::VectorXd& right_side) const {
-  return decomposition_.solve(right_side);
+  return solved_by_rows(triangles_, rows_, right_side);
 }
 
 Eigen::MatrixXd SquareSystem::inverse() const {
-  const Eigen::Index size = decomposition_.rows();
+  const Eigen::Index size = triangles_.rows();
   return solve(Eigen::MatrixXd(Eigen::MatrixXd::Identity(size, size)));
+}
+
+PositiveSystem::PositiveSystem(const Eigen::MatrixXd& matrix) {
+  const Eigen::LLT<Eigen::MatrixXd> factor(matrix);
+  lower_ = factor.matrixL();
+  definite_ = factor.info() == Eigen::Success;
+}
+
+Eigen::VectorXd PositiveSystem::solve(const Eigen::VectorXd& right_side) const {
+  return solved_by_root(lower_, right_side);
+}
+
+Eigen::MatrixXd PositiveSystem::solve(const Eigen::MatrixXd& right_sides) const {
+  return solved_by_root(lower_, right_sides);
+}
+
+Eigen::MatrixXd PositiveSystem::inverse() const {
+  return solve(Eigen::MatrixXd(Eigen::MatrixXd::Identity(lower_.rows(), lower_.cols())));
+}
+
+double PositiveSystem::log_root_determinant() const { return lower_.diagonal().array().log().sum(); }
+
+OverdeterminedSystem::OverdeterminedSystem(const Eigen::MatrixXd& a) {
+  const Eigen::HouseholderQR<Eigen::MatrixXd> decomposition(a);
+  reflections_ = decomposition.matrixQR();
+  coefficients_ = decomposition.hCoeffs();
+}
+
+Eigen::VectorXd OverdeterminedSystem::solve(const Eigen::VectorXd& b) const {
+  Eigen::VectorXd turned = b;
+  turned.applyOnTheLeft(Eigen::householderSequence(reflections_, coefficients_).adjoint());
+  Eigen::VectorXd x = turned.head(reflections_.cols());
+  reflections_.topRows(x.size()).triangularView<Upper>().solveInPlace(x);
+  return x;
+}
+
+Eigen::MatrixXd OverdeterminedSystem::triangle() const {
+  return reflections_.topRows(reflections_.cols()).triangularView<Upper>();
+}
+
+Eigen::MatrixXd inverse_of_upper(const Eigen::MatrixXd& triangle) {
+  return triangle.triangularView<Upper>().solve(Eigen::MatrixXd::Identity(triangle.rows(), triangle.cols()));
 }
 
 SingularValues::SingularValues(const Eigen::MatrixXd& a) {
@@ -68,8 +135,7 @@ Eigen::VectorXd nonnegative_least_squares(const Eigen::MatrixXd& a, const Eigen:
   if (a.rows() > 2 * n) {  // a triangle has the same least squares
     Eigen::MatrixXd all(a.rows(), n + 1);
     all << a, b;
-    const Eigen::HouseholderQR<Eigen::MatrixXd> qr(all);
-    const Eigen::MatrixXd triangle = qr.matrixQR().topRows(n + 1).triangularView<Eigen::Upper>();
+    const Eigen::MatrixXd triangle = OverdeterminedSystem(all).triangle();
     return nonnegative_least_squares(triangle.leftCols(n), triangle.col(n));
   }
   std::vector<Eigen::Index> free;

@@ -3,7 +3,6 @@
 /// Dense decompositions of Eigen, each compiled here once: they are the costliest of its templates.
 
 #include <Eigen/Core>
-#include <Eigen/LU>
 
 #include <optional>
 
@@ -21,8 +20,47 @@ class SquareSystem {
   Eigen::MatrixXd inverse() const;
 
  private:
-  Eigen::PartialPivLU<Eigen::MatrixXd> decomposition_;
+  Eigen::MatrixXd triangles_;
+  Eigen::PermutationMatrix<Eigen::Dynamic> rows_;
 };
+
+/// A x = b with a symmetric A that is positive definite, A = L L^T by Cholesky.
+class PositiveSystem {
+ public:
+  explicit PositiveSystem(const Eigen::MatrixXd& matrix);
+
+  /// False if A is not positive definite; all else is then without meaning.
+  bool definite() const { return definite_; }
+  Eigen::VectorXd solve(const Eigen::VectorXd& right_side) const;
+  Eigen::MatrixXd solve(const Eigen::MatrixXd& right_sides) const;
+  Eigen::MatrixXd inverse() const;
+  const Eigen::MatrixXd& lower() const { return lower_; }
+  /// ln sqrt(det A)
+  double log_root_determinant() const;
+
+ private:
+  Eigen::MatrixXd lower_;
+  bool definite_ = false;
+};
+
+/// The x of least |a x - b| where a has at least as many rows as columns and these are independent: a = Q R by
+/// Householder's reflections, without pivots.
+class OverdeterminedSystem {
+ public:
+  OverdeterminedSystem() = default;
+  explicit OverdeterminedSystem(const Eigen::MatrixXd& a);
+
+  Eigen::VectorXd solve(const Eigen::VectorXd& b) const;
+  /// R, a square: |R x - Q^T b| has its least where |a x - b| has.
+  Eigen::MatrixXd triangle() const;
+
+ private:
+  Eigen::MatrixXd reflections_;  // and R above them
+  Eigen::VectorXd coefficients_;
+};
+
+/// The inverse of what stands on and above the diagonal of a square matrix.
+Eigen::MatrixXd inverse_of_upper(const Eigen::MatrixXd& triangle);
 
 /// a = u diag(values) v^T with as many values as the shorter side of a, the largest first.
 struct SingularValues {

@@ -1,11 +1,11 @@
 #include "core/edge/contact_outline.hpp"
 
-#include <Eigen/QR>
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <vector>
 
+#include "core/algebra/dense_algebra.hpp"
 #include "core/edge/folded_grid.hpp"
 #include "core/numerics/bracketed_root.hpp"
 #include "core/scene/friction_law.hpp"
@@ -254,7 +254,7 @@ class Outline {
       squares(i) = place.x * place.x;
       error += place.error / static_cast<double>(count);
     }
-    const Vector found = matrix.householderQr().solve(squares);
+    const Vector found = OverdeterminedSystem(matrix).solve(squares);
     const double scatter =
         0.5 * (matrix * found - squares).norm() / std::sqrt(static_cast<double>(count)) * length_ / grid_.spacing_x;
     take_curve(found.head(of_squares), found.tail(of_centre), error + scatter);

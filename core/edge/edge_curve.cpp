@@ -1,10 +1,11 @@
 #include "core/edge/edge_curve.hpp"
 
-#include <Eigen/QR>
 #include <algorithm>
 #include <cmath>
 #include <tuple>
 #include <utility>
+
+#include "core/algebra/dense_algebra.hpp"
 
 namespace rollres {
 
@@ -93,7 +94,7 @@ EdgeCurve edge_curve(const SurfaceGrid& grid, const Vector& pressure) {
     centre(i) = 0.5 * (end.leading + end.trailing);
     squared(i) = 0.25 * std::pow(end.leading - end.trailing, 2);
   }
-  const Eigen::HouseholderQR<Eigen::MatrixXd> fit(powers);
+  const OverdeterminedSystem fit(powers);
   curve.centre = fit.solve(centre);
   curve.squared_length = fit.solve(squared);
   return curve;
@@ -155,7 +156,7 @@ class PolarEdge {
       angles_.push_back(M_PI * (static_cast<double>(i) + 0.5) / static_cast<double>(places));
       for (Eigen::Index k = 0; k < terms; ++k) cosines(i, k) = std::cos(static_cast<double>(k) * angles_.back());
     }
-    through_places_.compute(cosines);
+    through_places_ = OverdeterminedSystem(cosines);
   }
 
   /// On the half-length of the contact.
@@ -192,7 +193,7 @@ class PolarEdge {
     if (static_cast<double>(count) < least_per_term * static_cast<double>(3 * terms_)) return RollingSolution::absent;
     Eigen::MatrixXd matrix(count, 3 * terms_);
     for (Eigen::Index i = 0; i < count; ++i) matrix.row(i) = rows[static_cast<std::size_t>(i)];
-    const Vector fit = matrix.householderQr().solve(Eigen::Map<const Vector>(squares.data(), count));
+    const Vector fit = OverdeterminedSystem(matrix).solve(Eigen::Map<const Vector>(squares.data(), count));
     Vector moved(static_cast<Eigen::Index>(angles_.size()));
     for (std::size_t i = 0; i < angles_.size(); ++i) {
       const double value = cosine_series(fit.head(terms_), angles_[i]);
@@ -229,7 +230,7 @@ class PolarEdge {
         matrix(i, k) = power;
         if (k < of_centre) matrix(i, of_squares + k) = 2 * x(i) * power;
       }
-    const Vector fit = matrix.householderQr().solve(x.cwiseAbs2());
+    const Vector fit = OverdeterminedSystem(matrix).solve(x.cwiseAbs2());
     const Vector middle = fit.tail(of_centre);
     Vector squared = Vector::Zero(2 * of_centre - 1);
     squared.head(of_squares) = fit.head(of_squares);
@@ -256,7 +257,7 @@ class PolarEdge {
   Vector radius_;  // coefficients of rho
   double centre_ = 0, length_ = 1, width_ = 1, cell_ = 1;
   std::vector<double> angles_;
-  Eigen::HouseholderQR<Eigen::MatrixXd> through_places_;
+  OverdeterminedSystem through_places_;
 };
 
 }  // namespace

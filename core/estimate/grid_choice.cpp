@@ -1,9 +1,9 @@
 #include "core/estimate/grid_choice.hpp"
 
-#include <Eigen/QR>
 #include <algorithm>
 #include <cmath>
 
+#include "core/algebra/dense_algebra.hpp"
 #include "core/estimate/composite_estimate.hpp"
 #include "core/material/material.hpp"
 #include "core/messages/message_text.hpp"
@@ -117,7 +117,7 @@ bool has_smooth_edge(const ContactModel& model) {
     for (int k = 0; k < terms; ++k) powers(i, k) = std::pow(t, k);
     heights(i) = model.radius - std::sqrt(std::max(model.outline->squared_radius(middle + t * aside), 0.0));
   }
-  const Vector apart = powers * Eigen::HouseholderQR<Eigen::MatrixXd>(powers).solve(heights) - heights;
+  const Vector apart = powers * OverdeterminedSystem(powers).solve(heights) - heights;
   return apart.norm() <= enough * depth * std::sqrt(places + 1.0);
 }
 

@@ -1,9 +1,10 @@
 #include "core/material/free_series.hpp"
 
-#include <Eigen/QR>
 #include <algorithm>
 #include <cmath>
 #include <numeric>
+
+#include "core/algebra/dense_algebra.hpp"
 
 namespace rollres {
 
@@ -29,7 +30,7 @@ double evidence_of(const RelativeRows& rows, const PronySeries& series) {
   precision << VectorXd::Constant(moduli, 2 / modulus_within), VectorXd::Constant(times, 4 / time_within);
   MatrixXd a(residual.size() + parameters, parameters);
   a << terms.slopes / std::sqrt(variance), MatrixXd(precision.asDiagonal());
-  const VectorXd pivots = Eigen::HouseholderQR<MatrixXd>(a).matrixQR().diagonal().cwiseAbs();
+  const VectorXd pivots = OverdeterminedSystem(a).triangle().diagonal().cwiseAbs();
   // Terms may change places.
   return -0.5 * n * std::log(2 * M_PI * variance) - 0.5 * freedom - pivots.array().log().sum() +
          precision.array().log().sum() + std::lgamma(static_cast<double>(times) + 1);
@@ -151,7 +152,7 @@ class FreeSeries {
   /// The moduli of least misfit at the times as they are, where those are positive: along the valleys of the misfit
   /// times and moduli go together.
   void best_moduli() {
-    const VectorXd moduli = Eigen::HouseholderQR<MatrixXd>(rows_.responses(times())).solve(rows_.wanted());
+    const VectorXd moduli = OverdeterminedSystem(rows_.responses(times())).solve(rows_.wanted());
     if (!(moduli.minCoeff() > 0)) return;
     for (Index j = 0; j < std::ssize(series_.terms); ++j)
       series_.terms[static_cast<std::size_t>(j)].modulus = moduli(j);
@@ -185,7 +186,7 @@ class FreeSeries {
     VectorXd b = VectorXd::Zero(a.rows());
     b.head(rows) = -residual;
     const PronySeries before = series_;
-    change_by(Eigen::HouseholderQR<MatrixXd>(a).solve(b).cwiseQuotient(norms).cwiseMax(-1).cwiseMin(1));
+    change_by(OverdeterminedSystem(a).solve(b).cwiseQuotient(norms).cwiseMax(-1).cwiseMin(1));
     best_moduli();
     const VectorXd now = rows_.residuals(series_);
     const bool better = now.norm() < residual.norm();

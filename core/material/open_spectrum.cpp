@@ -1,9 +1,9 @@
 #include "core/material/open_spectrum.hpp"
 
-#include <Eigen/QR>
 #include <algorithm>
 #include <cmath>
 
+#include "core/algebra/dense_algebra.hpp"
 #include "core/material/relative_rows.hpp"
 #include "core/numerics/solution_limits.hpp"
 
@@ -20,9 +20,7 @@ MatrixXd posterior_root(const MatrixXd& a) {
   const Index n = a.cols();
   MatrixXd all(a.rows() + n, n);
   all << a, MatrixXd::Identity(n, n);
-  const Eigen::HouseholderQR<MatrixXd> qr(all);
-  const MatrixXd triangle = qr.matrixQR().topRows(n).triangularView<Eigen::Upper>();
-  return triangle.triangularView<Eigen::Upper>().solve(MatrixXd::Identity(n, n));
+  return inverse_of_upper(OverdeterminedSystem(all).triangle());
 }
 
 /// Of times and moduli: a time's change is one modulus less just below it and one more just above.

@@ -1,6 +1,5 @@
 #include "core/material/relative_rows.hpp"
 
-#include <Eigen/QR>
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -117,10 +116,7 @@ Eigen::VectorXd nonnegative_moduli(const RelativeRows& rows, const std::vector<d
   const Eigen::MatrixXd responses = rows.responses(times);
   Eigen::MatrixXd a(responses.rows(), responses.cols() + 1);
   a << responses, rows.wanted();
-  if (a.rows() > a.cols()) {  // a triangle has the same least squares
-    const Eigen::HouseholderQR<Eigen::MatrixXd> qr(a);
-    a = qr.matrixQR().topRows(a.cols()).triangularView<Eigen::Upper>();
-  }
+  if (a.rows() > a.cols()) a = OverdeterminedSystem(a).triangle();  // has the same least squares
   const Eigen::VectorXd norms = a.leftCols(a.cols() - 1).colwise().norm();
   return nonnegative_least_squares(a.leftCols(a.cols() - 1) * norms.cwiseInverse().asDiagonal(), a.col(a.cols() - 1))
       .cwiseQuotient(norms);

@@ -1,9 +1,9 @@
 #include "core/material/smooth_spectrum.hpp"
 
-#include <Eigen/Cholesky>
 #include <cmath>
 #include <limits>
 
+#include "core/algebra/dense_algebra.hpp"
 #include "core/numerics/solution_limits.hpp"
 
 namespace rollres {
@@ -43,7 +43,7 @@ class EvenSpectrum {
       for (; damping < most_damping; damping *= 10) {
         MatrixXd damped = curvature;
         damped.diagonal() *= 1 + damping;
-        const VectorXd change = damped.llt().solve(slope).cwiseMax(-largest_step).cwiseMin(largest_step);
+        const VectorXd change = PositiveSystem(damped).solve(slope).cwiseMax(-largest_step).cwiseMin(largest_step);
         now = objective(log_moduli_ - change, weight);
         if (now < value) {
           log_moduli_ -= change;
@@ -77,16 +77,13 @@ class EvenSpectrum {
     OpenSpectrum open{times_, {}};
     if (rows_.free_rest()) open.times.push_back(INFINITY);
     const VectorXd moduli = log_moduli_.array().exp();
-    const Index n = moduli.size();
     open.spread = std::sqrt(variance(weight)) *
-                  (moduli.asDiagonal() * curvature(weight).llt().matrixU().solve(MatrixXd::Identity(n, n)));
+                  (moduli.asDiagonal() * inverse_of_upper(PositiveSystem(curvature(weight)).lower().transpose()));
     return open;
   }
 
  private:
-  static double log_root_determinant(const MatrixXd& matrix) {
-    return matrix.llt().matrixLLT().diagonal().array().log().sum();
-  }
+  static double log_root_determinant(const MatrixXd& matrix) { return PositiveSystem(matrix).log_root_determinant(); }
 
   void set_bends(double step) {
     const Index terms = std::ssize(times_), n = responses_.cols();

@@ -1,11 +1,11 @@
 #include "core/solve/strain_iteration.hpp"
 
 #include <Eigen/Core>
-#include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
 #include <optional>
 
+#include "core/algebra/dense_algebra.hpp"
 #include "core/interior/interior_summary.hpp"
 #include "core/material/strain_softening.hpp"
 #include "core/messages/message_text.hpp"
@@ -174,7 +174,7 @@ class StrainIteration {
         if (!there) return std::nullopt;
         jacobian.col(i) = (*residual - *there) / difference;
       }
-      VectorXd change = -jacobian.partialPivLu().solve(*residual);
+      VectorXd change = -SquareSystem(jacobian).solve(*residual);
       if (!change.allFinite()) return std::nullopt;
       change *= std::min(1.0, longest_step / change.cwiseAbs().maxCoeff());
       std::optional<VectorXd> next = missing(x + change);

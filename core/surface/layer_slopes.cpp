@@ -5,6 +5,7 @@
 #include <cmath>
 #include <span>
 
+#include "core/algebra/dense_algebra.hpp"
 #include "core/numerics/chebyshev.hpp"
 #include "core/numerics/memory_functions.hpp"
 #include "core/numerics/quadrature.hpp"
@@ -87,18 +88,18 @@ const SlopeTable& slope_table() {
 class FastTable {
  public:
   FastTable() {
-    Eigen::Matrix<double, count, count> powers;
+    Eigen::MatrixXd powers(count, count);
     const Eigen::VectorXd& nodes = chebyshev_fit(count).nodes;
     for (int k = 0; k < count; ++k) powers.col(k) = nodes.array().pow(k);
-    const auto to_powers = powers.partialPivLu();
+    const SquareSystem to_powers(powers);
     for (int panel = 0; panel < fast_panels; ++panel) {
-      Eigen::Matrix<double, count, 4> values;
+      Eigen::MatrixXd values(count, 4);
       for (int node = 0; node < count; ++node) {
         const auto [wide, place] = find_panel((panel + 0.5 + 0.5 * nodes(node)) * width);
         values.row(node) =
             clenshaw(&slope_table().slopes[static_cast<std::size_t>(wide * coefficients_of_panel)], place).transpose();
       }
-      const Eigen::Matrix<double, count, 4> c = to_powers.solve(values);
+      const Eigen::MatrixXd c = to_powers.solve(values);
       for (int k = 0; k < count; ++k) coefficients_[static_cast<std::size_t>(panel * count + k)] = c.row(k).transpose();
     }
   }

@@ -1,12 +1,13 @@
 #include "fitting/fit/measured_terms.hpp"
 
-#include <Eigen/Cholesky>
 #include <cmath>
 #include <deque>
 #include <limits>
 #include <memory>
 #include <mutex>
 #include <utility>
+
+#include "core/algebra/dense_algebra.hpp"
 
 namespace rollres {
 
@@ -164,11 +165,9 @@ KnownBefore smooth_step(std::size_t before, std::size_t parameter, double deviat
 
 std::vector<KnownBefore> known_before(const std::vector<FormerParameter>& former, const Eigen::MatrixXd& correlation) {
   // Of covariance L L^T the parameters' deviations by L^-1 are independent, each of deviation 1.
-  const Eigen::LLT<Eigen::MatrixXd> factor(correlation);
-  if (factor.info() != Eigen::Success)
-    throw std::invalid_argument("the correlations of its parameters contradict one another");
-  const Eigen::MatrixXd whitening =
-      factor.matrixL().solve(Eigen::MatrixXd::Identity(correlation.rows(), correlation.cols()));
+  const PositiveSystem system(correlation);
+  if (!system.definite()) throw std::invalid_argument("the correlations of its parameters contradict one another");
+  const Eigen::MatrixXd whitening = inverse_of_upper(system.lower().transpose()).transpose();
   std::vector<KnownBefore> known(former.size());
   for (std::size_t i = 0; i < former.size(); ++i)
     for (std::size_t k = 0; k <= i; ++k) {

@@ -1,6 +1,5 @@
 #include "fitting/fit/noise_fit.hpp"
 
-#include <Eigen/Cholesky>
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -25,31 +24,33 @@ Eigen::MatrixXd shares_of(const Eigen::VectorXd& predictions, const std::vector<
 /// X^T W X with a Cholesky factor, columns scaled to length 1; a direction that no datum tells counts as one that is
 /// told to a millionth.
 struct Information {
-  Eigen::MatrixXd whitened;
   Eigen::VectorXd lengths;
-  Eigen::LLT<Eigen::MatrixXd> factor;
+  Eigen::MatrixXd whitened;
+  PositiveSystem products;
 
   Information(const Eigen::MatrixXd& slopes, const Eigen::VectorXd& weights)
-      : whitened(weights.cwiseSqrt().asDiagonal() * slopes),
-        lengths(whitened.colwise().norm().transpose().cwiseMax(std::numeric_limits<double>::min())) {
-    constexpr double hardly = 1e-12;
-    whitened *= lengths.cwiseInverse().asDiagonal();
-    const Eigen::Index count = slopes.cols();
-    factor.compute(whitened.transpose() * whitened + hardly * Eigen::MatrixXd::Identity(count, count));
-  }
+      : Information(Eigen::MatrixXd(weights.cwiseSqrt().asDiagonal() * slopes)) {}
 
   /// The part of each residual's variance that the fitted parameters leave: 1 - leverage.
   Eigen::VectorXd left() const {
-    const Eigen::MatrixXd solved = factor.solve(whitened.transpose());
+    const Eigen::MatrixXd solved = products.solve(Eigen::MatrixXd(whitened.transpose()));
     return (1 - whitened.transpose().cwiseProduct(solved).colwise().sum().transpose().array()).cwiseMax(0);
   }
-  double log_determinant() const {
-    const Eigen::MatrixXd& triangle = factor.matrixLLT();
-    return 2 * (triangle.diagonal().array().log().sum() + lengths.array().log().sum());
-  }
+  double log_determinant() const { return 2 * (products.log_root_determinant() + lengths.array().log().sum()); }
   Eigen::MatrixXd inverse() const {
-    const Eigen::MatrixXd scaled = factor.solve(Eigen::MatrixXd::Identity(lengths.size(), lengths.size()));
-    return lengths.cwiseInverse().asDiagonal() * scaled * lengths.cwiseInverse().asDiagonal();
+    return lengths.cwiseInverse().asDiagonal() * products.inverse() * lengths.cwiseInverse().asDiagonal();
+  }
+
+ private:
+  explicit Information(const Eigen::MatrixXd& weighted)
+      : lengths(weighted.colwise().norm().transpose().cwiseMax(std::numeric_limits<double>::min())),
+        whitened(weighted * lengths.cwiseInverse().asDiagonal()),
+        products(hardly_regular(whitened.transpose() * whitened)) {}
+
+  static Eigen::MatrixXd hardly_regular(Eigen::MatrixXd matrix) {
+    constexpr double hardly = 1e-12;
+    matrix.diagonal().array() += hardly;
+    return matrix;
   }
 };
 

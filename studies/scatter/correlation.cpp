@@ -1,10 +1,10 @@
 #include "studies/scatter/correlation.hpp"
 
-#include <Eigen/Cholesky>
 #include <Eigen/Eigenvalues>
 #include <boost/math/distributions/normal.hpp>
 #include <stdexcept>
 
+#include "core/algebra/dense_algebra.hpp"
 #include "studies/text/readable_number.hpp"
 
 namespace rollres {
@@ -22,7 +22,7 @@ Eigen::MatrixXd correlation_factor(std::size_t inputs, const std::vector<Correla
   if (smallest < least)
     throw std::invalid_argument("the correlations contradict each other: the smallest eigenvalue of their matrix is " +
                                 short_number(smallest, 3) + ", it must be positive");
-  return matrix.llt().matrixL();
+  return PositiveSystem(matrix).lower();
 }
 
 void correlate(std::vector<std::vector<double>>& uniform, const Eigen::MatrixXd& factor) {

@@ -1,8 +1,10 @@
 #include "tests/core/elastic_layer_contact.hpp"
 
-#include <Eigen/Dense>
 #include <cmath>
 #include <numbers>
+
+#include "core/algebra/dense_algebra.hpp"
+#include "core/numerics/quadrature.hpp"
 
 namespace rollres::testing {
 
@@ -45,7 +47,7 @@ LayerContact layer_contact_line(double alpha, int n) {
     }
   }
   // By symmetry one equation is spare: least squares of a consistent system.
-  const Eigen::VectorXd phi = system.colPivHouseholderQr().solve(shape);
+  const Eigen::VectorXd phi = least_squares(system, shape);
   // Deflection at x = 0: kernel (1/2) [C - gamma - ln(alpha |t|) + int (1 - S)(1 - cos(h alpha t)) dh/h] / pi with
   // C = int_0^inf [S - h^2/(1 + h^2)] dh/h = int [1/(1 + h^2) - (1 - S)] dh/h. Midpoint rule in ln h.
   double C = 0;
@@ -80,12 +82,10 @@ LayerContact layer_contact_sphere(double alpha, int n) {
   using std::numbers::pi;
   const Correction correction(alpha);
   const auto& [h, density] = correction;
-  Eigen::MatrixXd jacobi = Eigen::MatrixXd::Zero(n, n);
-  for (int k = 1; k < n; ++k) jacobi(k, k - 1) = jacobi(k - 1, k) = k / std::sqrt(4.0 * k * k - 1);
-  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> rule(jacobi);
+  const QuadratureRule rule = gauss_legendre(n);  // on [0, 1]
   Eigen::VectorXd t(n + 1), weight = Eigen::VectorXd::Zero(n + 1);
-  t.head(n) = (rule.eigenvalues().array() + 1) / 2;
-  weight.head(n) = rule.eigenvectors().row(0).transpose().array().square();
+  t.head(n) = Eigen::VectorXd::Map(rule.nodes.data(), n);
+  weight.head(n) = Eigen::VectorXd::Map(rule.weights.data(), n);
   t[n] = 1;
   Eigen::MatrixXd cosines(h.size(), n + 1);
   for (int i = 0; i <= n; ++i) cosines.col(i) = (h * (alpha * t[i])).cos();
@@ -95,7 +95,7 @@ LayerContact layer_contact_sphere(double alpha, int n) {
   Eigen::MatrixXd right(n + 1, 2);  // for d = 1, and for -t^2
   right.col(0).setConstant(4 / pi);
   right.col(1) = -4 / pi * t.array().square();
-  const Eigen::MatrixXd phi = system.partialPivLu().solve(right);
+  const Eigen::MatrixXd phi = SquareSystem(system).solve(right);
   const double approach = -phi(n, 1) / phi(n, 0);
   return {2 * pi * weight.dot(phi.col(0) * approach + phi.col(1)), approach};
 }

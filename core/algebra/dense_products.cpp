@@ -1,0 +1,3 @@
+#include "core/algebra/dense_products.hpp"
+
+ROLLRES_DENSE_PRODUCTS()
