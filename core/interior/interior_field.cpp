@@ -4,7 +4,6 @@
 #include <array>
 #include <cmath>
 #include <span>
-#include <stdexcept>
 
 #include "core/interior/depth_response.hpp"
 #include "core/interior/flow_loss.hpp"
@@ -41,24 +40,6 @@ PlaneStrain strain_of(const PlaneStress& s, complex compliance, double nu) {
 /// E(sigma), real stresses.
 double distortion(double x, double z, double xz, double nu) {
   return 0.5 * ((1 - nu) * (x * x + z * z) - 2 * nu * x * z) + xz * xz;
-}
-
-double half_length_of(const SurfaceFields& fields) {
-  const auto a_length = [](double half) {
-    if (!(half > 0 && std::isfinite(half))) throw std::domain_error("the fields hold no contact to look into");
-    return half;
-  };
-  if (!fields.panels.empty()) {
-    double from = INFINITY, to = -INFINITY;
-    for (const TractionPanel& panel : fields.panels) {
-      from = std::min(from, panel.from);
-      to = std::max(to, panel.to);
-    }
-    return a_length(0.5 * (to - from));
-  }
-  const auto nodes =
-      std::count_if(fields.zone.begin(), fields.zone.end(), [](Zone zone) { return zone != Zone::free; });
-  return a_length(0.5 * static_cast<double>(nodes) * fields.grid.spacing_x);
 }
 
 }  // namespace

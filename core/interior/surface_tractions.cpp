@@ -52,6 +52,24 @@ PlaneStress half_space_wave(double wavenumber, const FaceDepth& depth, complex p
           .xz = decay * (-imaginary * kz * p + (1 - kz + bend) * q)};
 }
 
+double half_length_of(const SurfaceFields& fields) {
+  const auto a_length = [](double half) {
+    if (!(half > 0 && std::isfinite(half))) throw std::domain_error("the fields hold no contact to look into");
+    return half;
+  };
+  if (!fields.panels.empty()) {
+    double from = INFINITY, to = -INFINITY;
+    for (const TractionPanel& panel : fields.panels) {
+      from = std::min(from, panel.from);
+      to = std::max(to, panel.to);
+    }
+    return a_length(0.5 * (to - from));
+  }
+  const auto nodes =
+      std::count_if(fields.zone.begin(), fields.zone.end(), [](Zone zone) { return zone != Zone::free; });
+  return a_length(0.5 * static_cast<double>(nodes) * fields.grid.spacing_x);
+}
+
 SurfaceTractions::SurfaceTractions(const SurfaceFields& fields, double highest) {
   for (const TractionPanel& panel : fields.panels)
     panels_.push_back({panel.from, panel.to, panel.pressure, panel.shear, {}, {}});

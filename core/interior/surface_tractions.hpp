@@ -40,6 +40,10 @@ struct FaceDepth {
 PlaneStress half_space_wave(double wavenumber, const FaceDepth& depth, std::complex<double> pressure,
                             std::complex<double> shear);
 
+/// Half the length of a cylinder's contact [m].
+/// @throws std::domain_error if there is none
+double half_length_of(const SurfaceFields& fields);
+
 class SurfaceTractions {
  public:
   /// @param fields of a cylinder   @param highest wavenumber of whose transforms the digits matter [1/m]

@@ -6,7 +6,7 @@
 #include "core/interior/depth_response.hpp"
 #include "core/interior/flow_loss.hpp"
 #include "core/interior/transverse_response.hpp"
-#include "core/numerics/quadrature.hpp"
+#include "core/interior/interior_waves.hpp"
 #include "core/numerics/solution_limits.hpp"
 #include "core/numerics/threads.hpp"
 
@@ -120,32 +120,6 @@ class VolumeField::Sum {
  private:
   static constexpr Index in_block = 32;
 
-  struct Wavenumbers {
-    ArrayXd k, weight;
-  };
-
-  /// From 0 to `highest` by Gauss's rule on panels, `first` wide at 0 and `widest` at most.
-  static Wavenumbers wavenumbers(double first, double widest, double highest) {
-    constexpr int in_panel = 16;
-    constexpr double growth = 7;  // of panels of long waves, over their distance from 0
-    const QuadratureRule& rule = gauss_rule(in_panel);
-    require_memory(highest / widest * in_panel * 2 * sizeof(double), "waves in the layers");
-    std::vector<double> ends{0};
-    for (double to = std::min(first, widest); to < highest; to += std::min(growth * to, widest)) ends.push_back(to);
-    ends.push_back(highest);
-    std::vector<double> k, weights;
-    for (std::size_t panel = 1; panel < ends.size(); ++panel)
-      for (std::size_t i = 0; i < rule.nodes.size(); ++i) {
-        const double width = ends[panel] - ends[panel - 1];
-        k.push_back(ends[panel - 1] + width * rule.nodes[i]);
-        weights.push_back(width * rule.weights[i]);
-      }
-    const auto as_array = [](const std::vector<double>& values) {
-      return Eigen::Map<const ArrayXd>(values.data(), static_cast<Index>(values.size()));
-    };
-    return {as_array(k), as_array(weights)};
-  }
-
   Index terms_of(std::size_t layer) const { return static_cast<Index>(field_.medium_[layer].material.terms.size()); }
 
   /// Which waves are summed, and their tractions.
@@ -161,8 +135,8 @@ class VolumeField::Sum {
     const double highest =
         field_.detail_ == Detail::inside ? along_contact / std::max(field_.farthest_x_, field_.farthest_y_) : INFINITY;
     const auto along = [&](double spacing, double reach, double end, double first) {
-      return wavenumbers(first, phase_per_panel / (reach + end),
-                         std::min({M_PI / spacing, vanished_ / shallowest, highest}));
+      return interior_waves(first, phase_per_panel / (reach + end),
+                             std::min({M_PI / spacing, vanished_ / shallowest, highest}));
     };
     // Stresses of a half-space are not smooth at its longest waves, those of layers on a base are; memories are poles.
     const double first_y = half_space_ ? 1e-3 / longest : 1 / layers;
@@ -177,9 +151,13 @@ class VolumeField::Sum {
     };
     const ArrayXXd px = phases(kx_.k, grid.columns, [&](int i) { return grid.x(i); });
     const ArrayXXd py = phases(ky_.k, grid.rows, [&](int j) { return grid.y(j); });
-    const MatrixXcd turn = (px.cos() - complex(0, 1) * px.sin()).matrix();
-    const auto transform = [&](const MatrixXd& values, const MatrixXd& across) {
-      return MatrixXcd(grid.cell_area() * (turn * values.cast<complex>()) * across.transpose().cast<complex>());
+    const MatrixXd cosine_x = px.cos().matrix(), sine_x = px.sin().matrix();
+    const auto transform = [&](const MatrixXd& values, const MatrixXd& along_y) {
+      const MatrixXd summed = grid.cell_area() * (values * along_y.transpose());
+      MatrixXcd transformed(kx_.k.size(), ky_.k.size());
+      transformed.real() = cosine_x * summed;
+      transformed.imag() = -sine_x * summed;
+      return transformed;
     };
     pressure_ = transform(field_.pressure_, py.cos().matrix());
     shear_x_ = transform(field_.shear_x_, py.cos().matrix());
@@ -351,7 +329,7 @@ class VolumeField::Sum {
   double vanished_;  // k z of a wave
   std::vector<double> depth_;
   std::vector<bool> creeps_;  // layers
-  Wavenumbers kx_, ky_;
+  InteriorWaves kx_, ky_;
   MatrixXcd pressure_, shear_x_, shear_y_;   // (kx, ky)
   MatrixXd cosine_, sine_;                   // of ky y, (y, ky)
   Index summed_;                             // fields

@@ -11,6 +11,7 @@
 #include "core/messages/message_text.hpp"
 #include "core/model/stated_error.hpp"
 #include "core/scene/layer_name.hpp"
+#include "core/solve/doubts.hpp"
 
 namespace rollres {
 
@@ -22,10 +23,8 @@ using Eigen::VectorXd;
 using Factors = std::vector<SofteningFactors>;
 
 constexpr double wanted_agreement = 1e-8;  // of the factors
-constexpr int most_solutions = 30;
-constexpr double longest_step = 1.5;  // of logarithms
-constexpr int most_halvings = 12;
-constexpr int most_stuck = 8;
+constexpr int most_solutions = 30, most_halvings = 12, most_stuck = 8;
+constexpr double longest_step = 1.5;   // of logarithms
 constexpr double first_retreat = 0.2;  // of ln gamma
 
 /// A layer that softens.
@@ -61,7 +60,7 @@ class StrainIteration {
         !agree(factors, answer, wanted_agreement))
       approach_roughly(factors, answer, slopes);
     if (const std::string why = settle(factors, answer, slopes, wanted_agreement, most_solutions); !why.empty())
-      return refused(why);
+      return without_answer({}, Status::not_converged, why);
     if (answer.solution.status != Status::converged) return std::move(answer.solution);
     return finished(std::move(answer), factors);
   }
@@ -324,12 +323,6 @@ class StrainIteration {
                           "; its relaxation is too large beside the modulus at rest");
     }
     return "no linear material has the moduli of these strains";
-  }
-
-  RollingSolution refused(const std::string& reason) const {
-    RollingSolution solution;
-    solution.reason = reason;
-    return solution;
   }
 
   const ContactModel& model_;

@@ -93,7 +93,7 @@ struct SpectralState {
                                                            // distance [m], [N/m]
   std::vector<SourceRun> runs;                             // of these; none of graded points
   Eigen::VectorXd residuals;                               // relative, one for each edge and border
-  std::shared_ptr<const GradedTractions> graded;           // in place of densities (graded_system.hpp)
+  std::shared_ptr<const GradedTractions> graded;           // in place of densities (graded_tractions.hpp)
 };
 
 /// On a surface next to which nothing creeps, the slack of a zone of stick and the rotation are the same to it: bounded

@@ -16,7 +16,7 @@ namespace rollres {
 
 namespace {
 
-constexpr int most_coefficients = 160;
+constexpr int most_coefficients = 160, largest_first_order = 80;
 constexpr double smallest_residual = 1e-14;
 constexpr double rounded_tail = 1e-12;      // last coefficients, relative to the largest
 constexpr double tolerated_between = 0.01;  // violation between graded points, which the error then counts
@@ -25,7 +25,6 @@ constexpr double plainly_wrong = 0.01;      // the same, seen at once
 constexpr std::array<int, 2> sketch_orders{14, 22};
 constexpr double first_sketch_residual = 1e-5, sketch_residual = 1e-7;
 constexpr int most_to_sketch = 30, most_to_find = 60;  // evaluations, where nothing is known of a pattern
-constexpr int largest_first_order = 80;
 constexpr double fewest_unsketched = 31;   // coefficients, where zones are too short for these
 constexpr double fewest_from_grid = 40;    // the same, not to lose the edges that a grid tells better than few points
 constexpr int most_stays = 3;              // checks of all laws that find no smaller violation
@@ -81,10 +80,6 @@ PatternRefinement::PatternRefinement(const ContactModel& model, const CreepSpect
 bool PatternRefinement::dear_ring() const {
   const std::vector<ModelLayer>& round = model_.coating.empty() ? model_.foundation : model_.coating;
   return model_.ring() && model_.friction_coefficient > 0 && !model_.tolerance && !round.front().creep.terms.empty();
-}
-
-bool PatternRefinement::was_tried(const SlipPattern& pattern) const {
-  return std::find(tried_.begin(), tried_.end(), pattern.slips) != tried_.end();
 }
 
 void PatternRefinement::start_from_grid() {
@@ -306,7 +301,10 @@ PatternRefinement::Sketch PatternRefinement::sketched(Rise& rise) {
   Sketch sketch{start, rise.coefficients};
   for (const int order : sketch_orders) {
     if (sketch.coefficients <= order || sketch.lawful) break;
-    std::optional<SpectralState> state = edges_at(rise, sketch.edges, order);
+    const double residual = order == sketch_orders.front() ? first_sketch_residual : sketch_residual;
+    const int affordable = static_cast<int>((rise.most - work_) / work_of(problem_, rise.pattern, order));
+    std::optional<SpectralState> state =
+        searched(rise, sketch.edges, order, residual, std::min(most_to_sketch, affordable));
     if (!state) {
       sketch = {start, std::max(rise.coefficients, fewest_unsketched)};  // edges from too few points lead astray
       break;
@@ -334,13 +332,6 @@ PatternRefinement::Sketch PatternRefinement::sketched(Rise& rise) {
     break;
   }
   return sketch;
-}
-
-/// Edges at a low order; none if they are not found.
-std::optional<SpectralState> PatternRefinement::edges_at(Rise& rise, const SpectralEdges& start, int order) {
-  const double residual = order == sketch_orders.front() ? first_sketch_residual : sketch_residual;
-  const double work = work_of(problem_, rise.pattern, order);
-  return searched(rise, start, order, residual, std::min(most_to_sketch, static_cast<int>((rise.most - work_) / work)));
 }
 
 /// The search at an order; its evaluations are counted.

@@ -3,6 +3,7 @@
 /// One pattern of zones after the other, solved with rising orders: which of them obeys all laws, and how sure its
 /// answer is.
 
+#include <algorithm>
 #include <optional>
 #include <vector>
 
@@ -34,7 +35,9 @@ class PatternRefinement {
   void start_from_grid();
   void forget_tried() { tried_.clear(); }
   void forget_work() { work_ = 0; }
-  bool was_tried(const SlipPattern& pattern) const;
+  bool was_tried(const SlipPattern& pattern) const {
+    return std::find(tried_.begin(), tried_.end(), pattern.slips) != tried_.end();
+  }
 
   /// Takes over what the tractions make of a coating's M and N (S18). @return by how much they change the drive's row
   /// [N/m]
@@ -63,7 +66,6 @@ class PatternRefinement {
                                         int most_evaluations);
 
   Sketch sketched(Rise& rise);
-  std::optional<SpectralState> edges_at(Rise& rise, const SpectralEdges& start, int order);
 
   bool keep_best(AssessedSpectral& assessed, const Rise& rise);
   bool accept(AssessedSpectral& assessed, const Rise& rise, double held);

@@ -6,7 +6,7 @@
 #include "core/model/contact_surface.hpp"
 #include "core/numerics/chebyshev.hpp"
 #include "core/numerics/memory_functions.hpp"
-#include "core/spectral/graded_system.hpp"
+#include "core/spectral/graded_tractions.hpp"
 #include "core/spectral/spectral_sources.hpp"
 
 namespace rollres {

@@ -7,7 +7,7 @@
 #include "core/newton/surface_window.hpp"
 #include "core/numerics/solution_limits.hpp"
 #include "core/scene/friction_law.hpp"
-#include "core/spectral/graded_system.hpp"
+#include "core/spectral/graded_tractions.hpp"
 #include "core/zones/surface_panels.hpp"
 
 namespace rollres {

@@ -7,7 +7,7 @@
 
 #include "core/algebra/dense_algebra.hpp"
 #include "core/numerics/quadrature.hpp"
-#include "core/spectral/graded_system.hpp"
+#include "core/spectral/graded_tractions.hpp"
 #include "core/zones/added_slopes.hpp"
 
 namespace rollres {

@@ -5,86 +5,12 @@
 #include <limits>
 #include <optional>
 
-#include "core/algebra/dense_algebra.hpp"
 #include "fitting/descent/secant_slopes.hpp"
+#include "fitting/errors/local_parabola.hpp"
 
 namespace rollres {
 
 namespace {
-
-/// How predictions bend along a way from the fit: the same on the other side of it.
-struct Bend {
-  double distance;         ///< of the parameter at the end of the way, signed, scaled
-  Eigen::VectorXd misses;  ///< what the slopes at the fit miss there, whitened
-};
-
-/// The misfit near a point by its slopes, where one parameter moves and the others follow it.
-class LocalParabola {
- public:
-  /// @param misses  the residuals there   @param own  the parameter that moves
-  LocalParabola(const FitProblem& problem, const Eigen::VectorXd& misses, const Slopes& slopes, Eigen::Index own)
-      : own_(own), whitening_(misses.size()), misses_(misses), others_(misses.size(), slopes.derivatives.cols() - 1) {
-    for (Eigen::Index i = 0; i < misses.size(); ++i) {
-      const double root = std::sqrt(loss_of(problem, static_cast<std::size_t>(i), misses[i]).weight);
-      misses_[i] *= root;
-      whitening_[i] = root / problem.data[static_cast<std::size_t>(i)].deviation;
-    }
-    slope_ = whitening_.cwiseProduct(slopes.derivatives.col(own));
-    for (Eigen::Index j = 0, k = 0; j < slopes.derivatives.cols(); ++j)
-      if (j != own) others_.col(k++) = whitening_.cwiseProduct(slopes.derivatives.col(j));
-    if (others_.cols() > 0) decomposition_.emplace(others_);
-  }
-
-  /// Square roots of the weights of the residuals over their deviations.
-  const Eigen::VectorXd& whitening() const { return whitening_; }
-
-  /// By how much the misfit falls if only the others move.
-  double fall() const { return misses_.squaredNorm() - left(misses_).squaredNorm(); }
-
-  /// How far this parameter must move, in a direction, for the least misfit to grow by `rise` in comparison with the
-  /// least misfit here; NaN if it never does.
-  double distance_to(double rise, double direction) const {
-    const Eigen::VectorXd own = left(slope_);
-    const double a = own.squaredNorm(), b = own.dot(left(misses_));
-    return (-b + direction * std::sqrt(b * b + a * rise)) / a;
-  }
-
-  /// The same with residuals that bend: misses * (distance / bend.distance)^2 more.
-  double distance_to(double rise, double direction, const Bend& bend, double farthest) const {
-    const double here = left(misses_).squaredNorm();
-    double inside = 0, outside = farthest;
-    for (int halving = 0; halving < 40; ++halving) {
-      const double middle = 0.5 * (inside + outside);
-      const double there = left(bent(direction * middle, bend) + direction * middle * slope_).squaredNorm();
-      (there - here < rise ? inside : outside) = middle;
-    }
-    return direction * inside;
-  }
-
-  /// The step to the least misfit at this distance, scaled.
-  Eigen::VectorXd step(double distance, const std::optional<Bend>& bend = {}) const {
-    const Eigen::VectorXd there = (bend ? bent(distance, *bend) : misses_) + distance * slope_;
-    Eigen::VectorXd all(others_.cols() + 1), moved;
-    if (others_.cols() > 0) moved = decomposition_->least_squares(-there);
-    for (Eigen::Index j = 0, k = 0; j < all.size(); ++j) all[j] = j == own_ ? distance : moved[k++];
-    return all;
-  }
-
- private:
-  /// What the others cannot take away.
-  Eigen::VectorXd left(const Eigen::VectorXd& misses) const {
-    return others_.cols() > 0 ? Eigen::VectorXd(misses - others_ * decomposition_->least_squares(misses)) : misses;
-  }
-
-  Eigen::VectorXd bent(double distance, const Bend& bend) const {
-    return misses_ + std::pow(distance / bend.distance, 2) * bend.misses;
-  }
-
-  Eigen::Index own_;
-  Eigen::VectorXd whitening_, misses_, slope_;
-  Eigen::MatrixXd others_;
-  std::optional<SingularValues> decomposition_;  // of others_, if there are any
-};
 
 struct QuickEnd {
   double distance;     ///< of the end, scaled, > 0

@@ -1,4 +1,4 @@
-// Covers finite_newton, mesh_level too.
+// Covers finite_newton, finite_surface, mesh_level too.
 
 #include "core/finite_strain/finite_strain_contact.hpp"
 

@@ -1,4 +1,4 @@
-// Covers layer_mesh too.
+// Covers layer_mesh and point_shapes too.
 
 #include "core/finite_strain/flowing_layer.hpp"
 

@@ -5,7 +5,7 @@
 #include "core/reference/reference_inside.hpp"
 #include "tests/catch.hpp"
 
-// Covers transverse_response, too.
+// Covers interior_waves and transverse_response, too.
 
 using namespace rollres;
 

@@ -1,4 +1,4 @@
-// Covers graded_grid and graded_slopes too.
+// Covers graded_grid, graded_slopes and graded_tractions too.
 
 #include "core/spectral/graded_system.hpp"
 

@@ -1,3 +1,5 @@
+// Covers local_parabola too.
+
 #include "fitting/errors/profile_likelihood.hpp"
 
 #include "tests/catch.hpp"
