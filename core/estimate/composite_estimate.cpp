@@ -86,14 +86,30 @@ class HertzPressure {
         sum.loss.array() += squared * k * change.imag();
         return;
       }
-      const QuadratureRule& rule = gauss_rule(6);
-      for (std::size_t q = 0; q < rule.nodes.size(); ++q) {
-        const double angle = M_PI / 2 * rule.nodes[q], along = k * std::cos(angle), across = k * std::sin(angle);
-        sum.loss.array() += squared * rule.weights[q] * along *
-                            (derivative(surface_.moduli(along), along, across) * turns(along)).imag();
-      }
+      for_directions(k, [&](double along, double across, double part) {
+        sum.loss.array() +=
+            squared * part * along * (derivative(surface_.moduli(along), along, across) * turns(along)).imag();
+      });
     });
     return sum;
+  }
+
+  /// What the waves take of the power, by k_x, rising.
+  struct WaveLoss {
+    double along, loss;
+  };
+  std::vector<WaveLoss> losses(double half_width) const {
+    std::vector<WaveLoss> all;
+    for_waves(half_width, [&](double z, double k, double weight) {
+      const double squared = weight * std::pow(PressureTransform(sphere_, z).phi, 2);
+      if (!sphere_) return all.push_back({k, squared * along_the_motion(k).loss});
+      for_directions(k, [&](double along, double across, double part) {
+        const std::complex<double> c = surface_(surface_.moduli(along), along, across).normal;
+        all.push_back({along, squared * part * along * c.imag()});
+      });
+    });
+    std::sort(all.begin(), all.end(), [](const WaveLoss& a, const WaveLoss& b) { return a.along < b.along; });
+    return all;
   }
 
   /// @param with_loss  takes a sphere's waves of all directions one by one, for its compliance, too; else they answer
@@ -124,6 +140,16 @@ class HertzPressure {
     }
   }
 
+  /// visit(k_x, k_y, weight) for directions of a sphere's waves, whose weights add up to 1.
+  template <class Visit>
+  static void for_directions(double k, const Visit& visit) {
+    const QuadratureRule& rule = gauss_rule(6);
+    for (std::size_t q = 0; q < rule.nodes.size(); ++q) {
+      const double angle = M_PI / 2 * rule.nodes[q];
+      visit(k * std::cos(angle), k * std::sin(angle), rule.weights[q]);
+    }
+  }
+
   /// Of a wave under pressure: |c| and k_x Im c.
   struct WaveAnswer {
     double compliance, loss;
@@ -134,13 +160,11 @@ class HertzPressure {
   }
   WaveAnswer mean_of_directions(double k) const {
     WaveAnswer mean{0, 0};
-    const QuadratureRule& rule = gauss_rule(6);
-    for (std::size_t q = 0; q < rule.nodes.size(); ++q) {
-      const double angle = M_PI / 2 * rule.nodes[q], along = k * std::cos(angle), across = k * std::sin(angle);
+    for_directions(k, [&](double along, double across, double part) {
       const std::complex<double> c = surface_(surface_.moduli(along), along, across).normal;
-      mean.compliance += rule.weights[q] * std::abs(c);
-      mean.loss += rule.weights[q] * along * c.imag();
-    }
+      mean.compliance += part * std::abs(c);
+      mean.loss += part * along * c.imag();
+    });
     return mean;
   }
 
@@ -178,6 +202,28 @@ ContactEstimate contact_of_width(const ContactModel& model, double half_width) {
 
 HertzResponse hertz_response(const ContactModel& model, double half_width) {
   return HertzPressure(model).response(half_width, true);
+}
+
+std::optional<LossBand> loss_band(const ContactModel& model, double half_width) {
+  constexpr double aside = 0.1;
+  const auto losses = HertzPressure(model).losses(half_width);
+  double total = 0;
+  for (const auto& wave : losses) total += wave.loss;
+  if (!(total > 0)) return std::nullopt;
+  // Logarithms of k_x where that part of the power is reached, straight between the waves' middles.
+  const auto reached = [&](double part) {
+    double below = 0, before = 0, at = std::log(losses.front().along);
+    for (const auto& wave : losses) {
+      const double here = below + 0.5 * wave.loss / total, place = std::log(wave.along);
+      if (here >= part) return here > before ? at + (place - at) * (part - before) / (here - before) : place;
+      before = here;
+      at = place;
+      below += wave.loss / total;
+    }
+    return at;
+  };
+  const auto frequency = [&](double part) { return model.speed * std::exp(reached(part)) / (2 * M_PI); };
+  return LossBand{frequency(aside), frequency(1 - aside)};
 }
 
 ResistanceChange::ResistanceChange(const ContactModel& model, double half_width)

@@ -10,6 +10,7 @@
 /// within about 30 % for a thin layer.
 
 #include <cmath>
+#include <optional>
 
 #include "core/estimate/contact_estimate.hpp"
 #include "core/model/contact_model.hpp"
@@ -28,6 +29,13 @@ struct HertzResponse {
   double loss;               ///< 1/pi int Im c_ww phi^2 k dk or 1/(4 pi^2) int Im c_ww phi^2 k_x dk_x dk_y
 };
 HertzResponse hertz_response(const ContactModel& model, double half_width);
+
+/// Frequencies at which waves take that power from the layers below: slower ones take a tenth of it, faster ones a
+/// tenth [Hz]. Nothing of layers that take none.
+struct LossBand {
+  double lowest, highest;
+};
+std::optional<LossBand> loss_band(const ContactModel& model, double half_width);
 
 /// What another model of the same scene changes R_r by, by that answer: R_r = P^2 loss at the half-width where the load
 /// (or the approach) is the one given, which moves from the contact's by

@@ -50,21 +50,15 @@ std::vector<std::string> tables_in_words(const MaterialArguments& arguments) {
   return words;
 }
 
-/// "about 194 Hz"; empty where none is to be had.
-std::string contact_in_words(const RollingScene& scene) {
-  const auto frequency = contact_frequency(scene);
-  return frequency ? "about " + short_number(*frequency, 3) + " Hz" : "";
-}
-
 void print_words(std::ostream& out, const MaterialArguments& arguments, const RollingScene& layer,
-                 const CreepSpectrum& creep, const std::string& contact) {
+                 const CreepSpectrum& creep, const std::optional<ContactFrequencies>& contact) {
   out << "material     " << name_of(layer.material) << '\n';
   for (const std::string& table : tables_in_words(arguments)) out << "table        " << table << '\n';
   if (const std::string route = material_route(layer); !route.empty()) out << "route        " << route << '\n';
   for (const std::string& warning : material_warnings(layer)) out << "warning      " << warning << '\n';
   out << "at rest      G = " << readable(1 / creep.at_rest(), "Pa") << '\n'
       << "at once      G = " << readable(1 / creep.instantaneous, "Pa") << '\n';
-  if (!contact.empty()) out << "contact      " << contact << '\n';
+  if (contact) out << "contact      " << contact->in_words() << '\n';
   if (creep.terms.empty()) return;
   out << "slow motion  G\"/(ω G') = " << readable(slow_loss_time(creep), "s") << '\n';
   for (const LossPeak& peak : loss_peaks(creep))
@@ -75,19 +69,17 @@ void print_words(std::ostream& out, const MaterialArguments& arguments, const Ro
 constexpr auto material_formats = table_formats_and(material_export_formats);
 
 /// Draws the pictures of a material, NAME_moduli and so on; returns the SVG files.
-/// @param contact  what is said of the scene's contact
 std::vector<std::filesystem::path> draw_material(const MaterialInputs& layer, const std::filesystem::path& name,
-                                                 const std::string& contact) {
+                                                 const std::optional<ContactFrequencies>& contact) {
   const std::string base = name.filename().string();
   std::vector<std::filesystem::path> files;
   const auto draw = [&](const char* ending, const ChartRequest& request) {
     files.push_back(draw_chart(request, name.parent_path() / (base + ending)).svg);
   };
-  ChartRequest moduli = moduli_chart(layer, base + ": storage and loss");
-  if (!contact.empty()) moduli.subtitle += (moduli.subtitle.empty() ? "" : "; ") + ("this scene's contact: " + contact);
-  draw("_moduli", moduli);
+  draw("_moduli", moduli_chart(layer, base + ": storage and loss", contact));
   draw("_creep", creep_chart(layer, base + ": creep and relaxation"));
   if (!creep_spectrum(layer).terms.empty()) draw("_spectrum", spectrum_chart(layer, base + ": spectrum of relaxation"));
+  if (shifts_times(layer)) draw("_shift", shift_chart(layer, base + ": shift by temperature"));
   if (is_measured_curve(layer.material)) draw("_misfit", misfit_chart(layer, base + ": what the fit misses"));
   return files;
 }
@@ -104,7 +96,7 @@ void run_material(const MaterialArguments& arguments, Session& session) {
     return;
   }
   const CreepSpectrum& creep = *found;
-  const std::string contact = contact_in_words(scene);
+  const std::optional<ContactFrequencies> contact = contact_frequencies(scene);
   const bool exports = std::count(material_export_formats.begin(), material_export_formats.end(), arguments.format) > 0;
   if (arguments.format == "table") {
     print_words(session.out, arguments, scene, creep, contact);
@@ -127,8 +119,9 @@ void add_material(Command& program, Session& session) {
   command->add_option("scene SCENE", arguments.scene, "scene file (JSON)")->required();
   command->add_option("--set KEY=VALUE", arguments.overrides, "replace an input, in SI or with a unit; may be repeated")
       ->one_value_each();
-  command->add_option("--out PATH", arguments.chart,
-                      "draw pictures PATH_moduli, PATH_creep, PATH_spectrum and, of a table, PATH_misfit");
+  command->add_option(
+      "--out PATH", arguments.chart,
+      "draw pictures PATH_moduli, PATH_creep, PATH_spectrum, of a shift PATH_shift, of a table PATH_misfit");
   command
       ->add_option("--per-decade N", arguments.per_decade, "rows of the table for each decade of frequency; default: 1")
       ->between(1, 100);

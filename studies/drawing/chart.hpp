@@ -56,6 +56,12 @@ struct ChartFamily {
   std::vector<std::string> labels;  ///< of its values
 };
 
+/// A part of the x axis that is shaded over the whole height, and explained.
+struct ChartRange {
+  double from, to;
+  std::string meaning;
+};
+
 struct ChartRequest {
   std::string title;          ///< broken into two lines where it is long
   std::string subtitle = {};  ///< what is shown of it: "load = 20 kN/m"
@@ -67,9 +73,10 @@ struct ChartRequest {
   bool ordered = false;    ///< the curves come in the order of the family's values
   bool end_labels = true;  ///< many curves in an order bear their labels at their ends
   std::string areas = {};  ///< what the areas of the points mean, as bands round the curves; empty: they fill the chart
-  bool lines = true;       ///< join the points of a curve; else each bears a mark and no peak is marked
-  bool marks = true;       ///< on some points of each curve; else the line alone
-  bool mark_peaks = true;  ///< marks the peak of each curve with its value
+  std::optional<ChartRange> range = {};
+  bool lines = true;         ///< join the points of a curve; else each bears a mark and no peak is marked
+  bool marks = true;         ///< on some points of each curve; else the line alone
+  bool mark_peaks = true;    ///< marks the peak of each curve with its value
   std::string comment = {};  ///< what else to know, line by line, for the head of the data file
 };
 

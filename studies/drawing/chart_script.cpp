@@ -14,6 +14,7 @@ namespace {
 
 using Layout = ChartSpans;
 
+constexpr std::string_view shaded = "fc rgb '#7f7f7f' fs transparent solid 0.2 noborder";
 constexpr double end_label_height = 17;  // of a curve's label at its end [px]
 
 /// Axes that hold all points with a value, with room above the highest; a linear y starts at zero where no value is
@@ -26,6 +27,10 @@ Layout lay_out(const ChartRequest& request) {
       if (point.drawn()) layout.y.include(point.y);
     }
   auto& [x, y] = layout;
+  if (request.range) {
+    x.include(request.range->from);
+    x.include(request.range->to);
+  }
   x.logarithmic = request.x.logarithmic && x.lowest > 0;
   y.logarithmic = request.y.logarithmic && y.lowest > 0;
   for (const ChartCurve& curve : request.curves)
@@ -221,6 +226,9 @@ std::vector<LegendEntry> legend(const ChartRequest& request, bool crosses, bool 
   if (areas && !request.areas.empty())
     entries.push_back({"boxes fc rgb '#444444' fs transparent solid 0.2 noborder", gnuplot::plain(request.areas),
                        width(request.areas)});
+  if (request.range)
+    entries.push_back(
+        {"boxes " + std::string(shaded), gnuplot::plain(request.range->meaning), width(request.range->meaning)});
   if (crosses) entries.push_back({"points pt 2 ps 0.7" + grey, "no answer", 9});
   if (entries.size() > curves) entries[curves].new_row = true;
   return entries;
@@ -287,6 +295,9 @@ std::string chart_script(const ChartRequest& request, const ChartFiles& files) {
   for (std::size_t i = 0; i < request.curves.size(); ++i)
     script << "set linetype " << i + 1 << " lc rgb '" << look(request, i).colour << "' lw 2 dt "
            << look(request, i).dash << " pt " << look(request, i).filled << " ps " << (at_ends ? "0.4" : "0.7") << "\n";
+  if (request.range)
+    script << "set object 1 rectangle from first " << short_number(request.range->from, 15) << ", graph 0 to first "
+           << short_number(request.range->to, 15) << ", graph 1 behind " << shaded << "\n";
   script << "\n";
   PictureShape shape{.subtitle = request.subtitle};
   if (at_ends) {

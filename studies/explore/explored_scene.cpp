@@ -235,8 +235,8 @@ Json materials_for_pages(const RollingScene& scene) {
   add(scene, layer_name(false, 0));
   for (std::size_t i = 0; i < scene.lower_layers.size(); ++i) add(scene.lower_layers[i], layer_name(false, i + 1));
   for (std::size_t i = 0; i < scene.coating_layers.size(); ++i) add(scene.coating_layers[i], layer_name(true, i));
-  const auto frequency = contact_frequency(scene);
-  return {{"charts", charts}, {"frequency", frequency ? Json(*frequency) : Json()}};
+  const auto contact = contact_frequencies(scene);
+  return {{"charts", charts}, {"frequency", contact ? Json(contact->typical) : Json()}};
 }
 
 }  // namespace rollres

@@ -94,7 +94,8 @@ ScaledUnit unit_of(const CreepSpectrum& creep) {
 
 }  // namespace
 
-ChartRequest moduli_chart(const MaterialInputs& layer, const std::string& title) {
+ChartRequest moduli_chart(const MaterialInputs& layer, const std::string& title,
+                          const std::optional<ContactFrequencies>& contact) {
   const CreepSpectrum creep = creep_spectrum(layer);
   const ActingRows rows(layer);
   const ScaledUnit unit = unit_of(creep);
@@ -116,6 +117,9 @@ ChartRequest moduli_chart(const MaterialInputs& layer, const std::string& title)
     loss.points.back() = with_band(frequency, modulus.imag(), of_loss / scale);
   }
   if (fit) request.areas = "left open by the table (95 %)";
+  if (contact && contact->band)
+    request.range =
+        ChartRange{contact->band->lowest, contact->band->highest, "where the contact loses 80 % of its power"};
   add_curves(request, {storage, loss}, rows.lowest, rows.highest);
   if (rows.loss.empty()) return request;
   request.subtitle = "marks: the table's rows";
@@ -197,9 +201,60 @@ ChartRequest spectrum_chart(const MaterialInputs& layer, const std::string& titl
   return request;
 }
 
-std::optional<double> contact_frequency(const RollingScene& scene) {
+bool shifts_times(const MaterialInputs& layer) {
+  return layer.reference_temperature &&
+         (layer.wlf_c1 || layer.vft_b || layer.activation_energy || !layer.shift_factors.empty());
+}
+
+ChartRequest shift_chart(const MaterialInputs& layer, const std::string& title) {
+  constexpr double freezing = 273.15;
+  const double reference = *layer.reference_temperature, own = layer.temperature.value_or(reference);
+  const auto point = [&](double temperature) {
+    MaterialInputs there = layer;
+    there.temperature = temperature;
+    return ChartPoint{temperature - freezing, time_shift(there)};
+  };
+  ChartRequest request{.title = title,
+                       .subtitle = "times at T over those at " + short_number(reference - freezing, 4) + " °C",
+                       .x = {.name = "temperature", .symbol = "T", .unit = "°C", .margin = 0.02},
+                       .y = {.name = "shift of times", .symbol = "a_T", .logarithmic = true},
+                       .curves = {},
+                       .mark_peaks = false};
+  double lowest = std::min(own, reference), highest = std::max(own, reference);
+  ChartCurve rows{.label = "table", .points = {}, .line = false};
+  if (!layer.shift_factors.empty()) {
+    for (const double temperature : layer.shift_temperatures) rows.points.push_back(point(temperature));
+    const auto [first, last] = std::minmax_element(layer.shift_temperatures.begin(), layer.shift_temperatures.end());
+    lowest = std::min(lowest, *first), highest = std::max(highest, *last);
+  } else {
+    constexpr double aside = 30;  // of a law [K]; it ends at its pole
+    const double pole = layer.wlf_c2 ? reference - *layer.wlf_c2 : layer.vft_temperature.value_or(0);
+    lowest = std::max(lowest - aside, 0.5 * (lowest + pole));
+    highest += aside;
+  }
+  constexpr int pieces = 120;
+  ChartCurve curve{.label = rows.points.empty() ? "law" : "between the rows", .points = {}, .marks = false};
+  for (int i = 0; i <= pieces; ++i) curve.points.push_back(point(lowest + (highest - lowest) * i / pieces));
+  request.curves.push_back(std::move(curve));
+  if (!rows.points.empty()) request.curves.push_back(std::move(rows));
+  request.curves.push_back(
+      {.label = "this layer, " + short_number(own - freezing, 4) + " °C", .points = {point(own)}, .line = false});
+  return request;
+}
+
+std::string ContactFrequencies::in_words() const {
+  std::string words = "about " + short_number(typical, 3) + " Hz";
+  if (band)
+    words += "; 80 % of the power is lost between " + short_number(band->lowest, 3) + " and " +
+             short_number(band->highest, 3) + " Hz";
+  return words;
+}
+
+std::optional<ContactFrequencies> contact_frequencies(const RollingScene& scene) {
   try {
-    return scene.speed / (turn * estimate_contact(resolve(scene)).half_width);
+    const ContactModel model = resolve(scene);
+    const double half_width = estimate_contact(model).half_width;
+    return ContactFrequencies{scene.speed / (turn * half_width), loss_band(model, half_width)};
   } catch (const std::domain_error&) {
     return std::nullopt;
   }

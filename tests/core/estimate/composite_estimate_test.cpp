@@ -1,5 +1,7 @@
 #include "core/estimate/composite_estimate.hpp"
 
+#include <cmath>
+
 #include "tests/catch.hpp"
 #include "tests/infinite.hpp"
 
@@ -73,6 +75,45 @@ TEST_CASE("the estimate on several layers is the same in other units of length",
     *other.load *= indenter == Indenter::sphere ? length * length : length;
     // A search that ends where a logarithm of metres is known to 1e-3 differs by 5e-5.
     CHECK(composite_estimate(other).half_width == Approx(length * composite_estimate(scene).half_width).epsilon(1e-10));
+  }
+}
+
+TEST_CASE("in slow motion waves take the power of a half-space as the squares of Bessel functions say",
+          "[core][composite_estimate]") {
+  RollingScene scene = two_layers(Indenter::cylinder, infinite);
+  scene.lower_layers.clear();
+  scene.material = MaterialModel::zener;
+  scene.stiffening = 1;
+  scene.creep_time = 1e-6;
+  constexpr double a = 2e-3;
+  const auto band = loss_band(scene, a);
+  REQUIRE(band);
+  // Im c ~ 1/k * k and phi = 2 J1(z)/z: up to z, int J1^2/z dz = (1 - J0^2 - J1^2)/2; the estimate's waves end at 40.
+  const auto taken = [](double z) { return 1 - std::pow(::j0(z), 2) - std::pow(::j1(z), 2); };
+  const auto z = [&](double frequency) { return 2 * M_PI * frequency * a / scene.speed; };
+  CHECK(taken(z(band->lowest)) == Approx(0.1 * taken(40)).epsilon(0.03));
+  CHECK(taken(z(band->highest)) == Approx(0.9 * taken(40)).epsilon(0.01));
+  scene.material = MaterialModel::elastic;
+  CHECK_FALSE(loss_band(scene, a));
+}
+
+TEST_CASE("in slow motion the frequencies of the losses rise with the speed, under a sphere too",
+          "[core][composite_estimate]") {
+  for (const Indenter indenter : {Indenter::cylinder, Indenter::sphere}) {
+    RollingScene scene = two_layers(indenter, 0.01);
+    for (MaterialInputs* const layer :
+         {static_cast<MaterialInputs*>(&scene), static_cast<MaterialInputs*>(&scene.lower_layers[0])}) {
+      layer->material = MaterialModel::zener;
+      layer->stiffening = 1;
+      layer->creep_time = 1e-9;
+    }
+    const auto slow = loss_band(scene, 2e-3);
+    scene.speed *= 8;
+    const auto fast = loss_band(scene, 2e-3);
+    REQUIRE((slow && fast));
+    CHECK(fast->lowest == Approx(8 * slow->lowest).epsilon(1e-6));
+    CHECK(fast->highest == Approx(8 * slow->highest).epsilon(1e-6));
+    CHECK(slow->lowest < slow->highest);
   }
 }
 

@@ -82,3 +82,56 @@ TEST_CASE("nothing of a law is extrapolated", "[studies][material]") {
   CHECK(extrapolated(creep_chart(plain_scene(), "law")).empty());
   CHECK(moduli_chart(plain_scene(), "law").subtitle.empty());
 }
+
+TEST_CASE("the frequencies at which the contact loses its power are shaded and explained", "[studies][material]") {
+  const RollingScene scene = plain_scene();
+  const auto contact = contact_frequencies(scene);
+  REQUIRE((contact && contact->band));
+  CHECK(contact->band->lowest < contact->band->highest);
+  CHECK_THAT(contact->in_words(), Contains("80 % of the power is lost between "));
+  const ChartRequest chart = moduli_chart(scene, "law", contact);
+  REQUIRE(chart.range);
+  CHECK(chart.range->from == contact->band->lowest);
+  CHECK(chart.range->to == contact->band->highest);
+  const ChartSpans spans = chart_spans(chart);
+  CHECK((spans.x.lowest <= chart.range->from && spans.x.highest >= chart.range->to));
+  CHECK_THAT(chart_script(chart, chart_files("law")),
+             Contains("set object 1 rectangle from first ") && Contains("where the contact loses 80 % of its power"));
+  RollingScene elastic = scene;
+  elastic.material = MaterialModel::elastic;
+  CHECK_FALSE(moduli_chart(elastic, "law", contact_frequencies(elastic)).range);
+}
+
+TEST_CASE("a shift is drawn by its law or between the rows of its table, with the layer's own temperature",
+          "[studies][material]") {
+  RollingScene scene = plain_scene();
+  CHECK_FALSE(shifts_times(scene));
+  scene.reference_temperature = 293.15;
+  scene.temperature = 303.15;
+  scene.wlf_c1 = 10;
+  scene.wlf_c2 = 90;  // log10 a = -10·10/100
+  REQUIRE(shifts_times(scene));
+  const ChartRequest law = shift_chart(scene, "law");
+  REQUIRE(law.curves.size() == 2);
+  CHECK(law.curves.back().points.front().x == Approx(30));
+  CHECK(law.curves.back().points.front().y == Approx(0.1));
+  CHECK(least(law.curves.front()) == Approx(-10));
+  scene.temperature = 293.15 - 80;  // 10 K above the law's pole: nothing is drawn beyond
+  const ChartRequest cold = shift_chart(scene, "law");
+  CHECK(least(cold.curves.front()) > 20 - 90);
+  CHECK(std::isfinite(cold.curves.front().points.front().y));
+
+  scene.wlf_c1.reset();
+  scene.wlf_c2.reset();
+  scene.temperature = 298.15;
+  scene.shift_temperatures = {283.15, 293.15, 303.15};
+  scene.shift_factors = {30, 3, 0.6};
+  const ChartRequest table = shift_chart(scene, "table");
+  REQUIRE(table.curves.size() == 3);
+  const std::vector<ChartPoint>& rows = table.curves[1].points;
+  REQUIRE(rows.size() == 3);
+  CHECK(rows[0].y == Approx(10));  // over the row of the reference
+  CHECK(rows[2].y == Approx(0.2));
+  CHECK(least(table.curves.front()) == Approx(10));
+  CHECK(most(table.curves.front()) == Approx(30));
+}
