@@ -14,17 +14,23 @@ namespace rollres {
 namespace {
 
 /// Moments of the creep spectrum, relative to the compliance at rest: tau' [s] and m [s2] of core/newton/README.md,
-/// (N16).
+/// (N16), without memories that are long beside the contact: one that it cannot see would fill m.
 struct CreepMoments {
   double rest = 0, first = 0, second = 0;
+  double long_first = 0, long_second = 0;  // of memories that are not short: what tau' would have, what m has
 };
 
-CreepMoments creep_moments(const CreepSpectrum& creep) {
+/// @param longest  time in which the contact passes its half-length [s]
+CreepMoments creep_moments(const CreepSpectrum& creep, double longest) {
   CreepMoments moments{.rest = creep.instantaneous};
   for (const CreepSpectrum::Term& term : creep.terms) moments.rest += term.compliance;
   for (const CreepSpectrum::Term& term : creep.terms) {
-    moments.first += term.compliance * term.time / moments.rest;
-    moments.second += term.compliance * term.time * term.time / moments.rest;
+    const double over = std::pow(term.time / longest, 2), beyond = over / (1 + over);
+    const double slow = term.compliance * term.time / moments.rest, near = slow / (1 + std::pow(over, 4));
+    moments.first += near;
+    moments.second += near * term.time;
+    moments.long_first += beyond * slow;
+    moments.long_second += beyond * near * term.time;
   }
   return moments;
 }
@@ -227,13 +233,14 @@ GridError grid_error(const ContactProblem& problem, const Vector& pressure, cons
                      const ContactPowers& powers) {
   const ContactModel& model = problem.model;
   const CreepSpectrum& creep = model.top().creep;
-  const CreepMoments moments = creep_moments(creep);
   const ContactIntegrals sums = contact_integrals(problem, pressure, zone);
+  const CreepMoments moments = creep_moments(creep, sums.half_length / model.speed);
   GridError error;
   for (const CreepSpectrum::Term& term : creep.terms)
     if (term.compliance > 0) error.memory_length = std::max(error.memory_length, model.speed * term.time);
   if (moments.first == 0 && model.coating.empty()) return error;
 
+  error.slow_time = moments.first;
   // The two terms of (N17) and (N18).
   const double limit = model.speed * moments.first * sums.curved;
   const double modulus = 2 / (moments.rest * (1 - model.top().poisson_ratio));
@@ -255,13 +262,7 @@ GridError grid_error(const ContactProblem& problem, const Vector& pressure, cons
   const double edges = std::clamp(0.2 * sums.half_length / model.top().layer_thickness, 0.05, 2.0);
   const double slope = model.friction_coefficient > 0 ? sums.half_length / model.radius : 0;
   // What both terms have of memories that are not short against the contact is no part of slow rolling.
-  double long_first = 0, long_second = 0;
-  for (const CreepSpectrum::Term& term : creep.terms) {
-    const double over = model.speed * term.time / sums.half_length, beyond = over * over / (1 + over * over);
-    long_first += beyond * term.compliance * term.time / moments.rest;
-    long_second += beyond * term.compliance * term.time * term.time / moments.rest;
-  }
-  const double not_slow = model.speed * long_first * sums.curved + of_second_moment(long_second);
+  const double not_slow = model.speed * moments.long_first * sums.curved + of_second_moment(moments.long_second);
   error.slow_error =
       not_slow + limit * (1e-5 + second * (edges + second * (1 + 12 * softening * softening)) + 0.1 * slope * slope);
   const double square = error.unresolved * error.unresolved;
@@ -293,8 +294,7 @@ void take_slow_rolling(const ContactModel& model, const GridError& error, const 
         sheared += fields.shear_x[i] * bend(fields.u);
         if (!fields.v.empty()) sheared += fields.shear_y[i] * bend(fields.v);
       }
-  const CreepMoments moments = creep_moments(model.top().creep);
-  const double loss = error.slow_loss - model.speed * moments.first * grid.cell_area() * sheared;
+  const double loss = error.slow_loss - model.speed * error.slow_time * grid.cell_area() * sheared;
   const double viscous = solution.viscous_loss / model.speed;
   const double losses = powers.losses() + loss - viscous + error.slow_pushed - powers.pushed;
   add_resistance(model, error.slow_share * (losses - powers.resistance()), solution);

@@ -15,6 +15,7 @@ struct GridError {
   static constexpr double of_unresolved = 0.3;  // of (N21), that counts in an estimate
 
   double slow_loss = 0;      ///< viscous resistance by (N18) [N] (per metre for a cylinder)
+  double slow_time = 0;      ///< tau' of (N16), of memories that are not long beside the contact [s]
   double slow_pushed = 0;    ///< what of printed kinematics' unbalanced power is the pressure's, to first order [N]
   double slow_error = 0;     ///< estimated error of that [N]
   double unresolved = 0;     ///< estimated error of the grid's own, by (N21) [N]

@@ -45,7 +45,7 @@ TEST_CASE("Least squares leave nothing along any column, with dependent columns 
   CHECK(shortest.norm() <= by_columns.norm() * (1 + 1e-12));
 }
 
-TEST_CASE("A positive system is solved, inverted and weighed by its root; another is told", "[numerics]") {
+TEST_CASE("A positive system is solved and inverted by its root, and another is told", "[numerics]") {
   const Eigen::MatrixXd a = dependent_columns(12, 5).leftCols(4);
   Eigen::MatrixXd matrix = a.transpose() * a;
   matrix.diagonal().array() += 0.1;

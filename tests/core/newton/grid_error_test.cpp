@@ -432,3 +432,28 @@ TEST_CASE("the largest pressure under a given approach has friction's part of th
     CHECK(std::abs(coarse.peak_pressure - fine.peak_pressure) < coarse.peak_pressure_error + fine.peak_pressure_error);
   }
 }
+
+// Its time squared times its modulus is a seventh of the other's.
+TEST_CASE("slow rolling knows nothing of a memory that the contact cannot see", "[core][grid_error]") {
+  RollingScene scene;
+  scene.indenter = Indenter::sphere;
+  scene.radius = 0.04757;
+  scene.layer_thickness = 0.03199;
+  scene.material = MaterialModel::prony;
+  scene.static_shear_modulus = 92.35e6;
+  scene.relaxation_times = {0.0033793};
+  scene.relaxation_moduli = {3.49083e6};
+  scene.inertia = Inertia::off;
+  scene.speed = 0.006517;
+  scene.load = 44050;
+  scene.friction_coefficient = 0;
+  scene.method = Method::newton;
+  scene.spacing = 0.002327;
+  const RollingSolution one = solve(scene);
+  REQUIRE(one.model.find("slow rolling") != std::string::npos);
+  scene.relaxation_times.push_back(77560);
+  scene.relaxation_moduli.push_back(9.75e-10);
+  const RollingSolution other = solve(scene);
+  CHECK(other.model.find("slow rolling") != std::string::npos);
+  CHECK(other.rolling_resistance == Approx(one.rolling_resistance).epsilon(1e-8));
+}
