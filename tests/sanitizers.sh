@@ -2,7 +2,8 @@
 # The suite under address and undefined-behaviour sanitizers, then what runs on several threads under the thread sanitizer:
 # their tests, spheres, a fit, a gradient and a sweep with 8 jobs. Asserts of libstdc++, Eigen and rollres are on. Slow
 # tests have a tenth of their random input, those of tests/fuzz a quarter (ROLLRES_THIN). The tests are those that the
-# release preset has compiled, run with libraries that are compiled anew. Left out are tests tagged [long], whose code
+# release preset has compiled, run with libraries that are compiled anew; under the thread sanitizer the chapters of studies
+# that start no threads are the release's, too. Left out are tests tagged [long], whose code
 # shorter tests run as well, and tests that run none of these libraries: of the Python package, of an outside program on
 # the installed library, of the Debian package. What is read or written by a pointer that is null or points beyond
 # an object ends the program under the address sanitizer, too: the checks of pointers that the undefined-behaviour

@@ -25,12 +25,12 @@ constexpr double plainly_wrong = 0.01;      // the same, seen at once
 constexpr std::array<int, 2> sketch_orders{14, 22};
 constexpr double first_sketch_residual = 1e-5, sketch_residual = 1e-7;
 constexpr int most_to_sketch = 30, most_to_find = 60;  // evaluations, where nothing is known of a pattern
-constexpr double fewest_unsketched = 31;   // coefficients, where zones are too short for these
+constexpr double fewest_unsketched = 31;               // coefficients, where zones are too short for these
 constexpr double fewest_from_grid = 40;    // the same, not to lose the edges that a grid tells better than few points
 constexpr int most_stays = 3;              // checks of all laws that find no smaller violation
 constexpr double finer_than_grids = 1e-7;  // expected change of R_r [1]
-constexpr double slowest_fall = 0.9;       // of the last coefficients, from one order to the next
-
+/// Of the last coefficients and of a violation that more of them may mend, from one order to the next.
+constexpr double slowest_fall = 0.9, slowest_mending = 0.8;
 constexpr double order_growth = 1.4, graded_growth = 1.25;
 /// The order of the next round; edges from few graded points tell the first change only roughly.
 double next_order(double coefficients, bool graded) {
@@ -60,10 +60,8 @@ struct PatternRefinement::Rise {
 
   // Of the checks of all laws.
   bool done = false;  // the error was small enough once, and laws were broken
-  double least_violation = INFINITY;
+  double least_violation = INFINITY, wrong_before = INFINITY;
   int stays = 0;
-
-  void rise() { coefficients = next_order(coefficients, graded); }
 };
 
 /// What few graded points tell of a pattern for little work.
@@ -108,7 +106,7 @@ bool PatternRefinement::refine(const SlipPattern& pattern, const SpectralEdges& 
     if (!solve_order(rise)) break;
     const Verdict verdict = judge(rise);
     if (verdict != Verdict::next_order) return verdict == Verdict::accepted;
-    rise.rise();
+    rise.coefficients = next_order(rise.coefficients, rise.graded);
   }
   return take_last_order(rise);
 }
@@ -188,8 +186,13 @@ PatternRefinement::Verdict PatternRefinement::judge(Rise& rise) {
   work_ += work_of_check(problem_, rise.pattern, rise.told.order, rise.edges.contact.half_length());
   AssessedSpectral assessed = assess(problem_, *last_);
   const bool lawful = accuracy_.in_its_zones(*last_, assessed, rise.told.order);
-  if (!lawful) take_over_wrongs(assessed);
-  if (!lawful && (last_->graded || assessed.wrong_zone > plainly_wrong)) return Verdict::refuted;
+  if (!lawful) {
+    take_over_wrongs(assessed);
+    if (last_->graded || assessed.wrong_zone > std::min(plainly_wrong, slowest_mending * rise.wrong_before))
+      return Verdict::refuted;
+    rise.wrong_before = assessed.wrong_zone;
+    rise.checked = false;  // whether more coefficients mend it
+  }
   const double imposed = accuracy_.imposed_violation(*last_, assessed);
   if (rise.enough && lawful && !rise.last && accuracy_.misses_tolerance(*last_, assessed, rise.told)) {
     keep_best(assessed, rise);
@@ -263,7 +266,6 @@ bool PatternRefinement::answered() const {
   return best_ && best_->solution.rolling_resistance_error <= std::max(finer, model_.tolerance.value_or(0)) * scale_;
 }
 
-/// Takes the last state for the answer if all laws hold.
 bool PatternRefinement::accept(AssessedSpectral& assessed, const Rise& rise, double held) {
   const OrderResult& told = rise.told;
   const double largest =

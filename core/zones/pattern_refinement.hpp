@@ -68,6 +68,7 @@ class PatternRefinement {
   Sketch sketched(Rise& rise);
 
   bool keep_best(AssessedSpectral& assessed, const Rise& rise);
+  /// Takes the last state for the answer if all laws hold.
   bool accept(AssessedSpectral& assessed, const Rise& rise, double held);
   void take_over_wrongs(const AssessedSpectral& assessed) {
     wrong_ = assessed.wrong_zone;

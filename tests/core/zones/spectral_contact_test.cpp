@@ -330,3 +330,22 @@ TEST_CASE("memories that a tolerance lets count as elastic cost what is said und
     CHECK(off < solution.error_estimate);
   }
 }
+
+// A violation that stays as it is at higher orders refutes its pattern before the work for the next ones is spent.
+TEST_CASE("an elastic layer under a driven cylinder, stuck on both sides of a slip, needs no grid", "[core][spectral]") {
+  RollingScene scene;
+  scene.radius = 0.1;
+  scene.layer_thickness = 0.01;
+  scene.material = MaterialModel::elastic;
+  scene.speed = 1;
+  scene.load = 1e5;
+  scene.friction_coefficient = 0.3;
+  for (const double part : {0.0, 1e-7, 1e-3, 3e-3, 1e-2}) {
+    scene.static_shear_modulus = 2.0106e6 * (1 + part);
+    const RollingSolution solution = solve(scene);
+    CAPTURE(part);
+    REQUIRE(solution.status == Status::converged);
+    CHECK(solution.method == Method::spectral);
+    CHECK(solution.error_estimate < 1e-7);
+  }
+}

@@ -56,7 +56,7 @@ constexpr Spectra tried_spectra = Spectra::wide;
 
 TEST_CASE("answers to random cylinders obey the relations that hold between them", "[studies][relations][long]") {
   for (const Relation& one : relations())
-    for (const std::uint64_t seed : {13, 16, 20})  // which take some seconds
+    for (const std::uint64_t seed : {16, 20})  // which take some seconds
       check_relation(one, Indenter::cylinder, seed, tried_spectra);
 }
 
