@@ -83,13 +83,15 @@ OverdeterminedSystem::OverdeterminedSystem(const Eigen::MatrixXd& a) {
 Eigen::VectorXd OverdeterminedSystem::solve(const Eigen::VectorXd& b) const {
   Eigen::VectorXd turned = b;
   turned.applyOnTheLeft(Eigen::householderSequence(reflections_, coefficients_).adjoint());
-  Eigen::VectorXd x = turned.head(reflections_.cols());
-  reflections_.topRows(x.size()).triangularView<Upper>().solveInPlace(x);
+  const Eigen::Index rank = coefficients_.size();
+  Eigen::VectorXd known = turned.head(rank), x = Eigen::VectorXd::Zero(reflections_.cols());
+  reflections_.topLeftCorner(rank, rank).triangularView<Upper>().solveInPlace(known);
+  x.head(rank) = known;
   return x;
 }
 
 Eigen::MatrixXd OverdeterminedSystem::triangle() const {
-  return reflections_.topRows(reflections_.cols()).triangularView<Upper>();
+  return reflections_.topRows(coefficients_.size()).triangularView<Upper>();
 }
 
 Eigen::MatrixXd inverse_of_upper(const Eigen::MatrixXd& triangle) {

@@ -43,15 +43,15 @@ class PositiveSystem {
   bool definite_ = false;
 };
 
-/// The x of least |a x - b| where a has at least as many rows as columns and these are independent: a = Q R by
-/// Householder's reflections, without pivots.
+/// The x of least |a x - b| where the columns of a are independent: a = Q R by Householder's reflections, without
+/// pivots. Of a with fewer rows than columns the last unknowns are 0.
 class OverdeterminedSystem {
  public:
   OverdeterminedSystem() = default;
   explicit OverdeterminedSystem(const Eigen::MatrixXd& a);
 
   Eigen::VectorXd solve(const Eigen::VectorXd& b) const;
-  /// R, a square: |R x - Q^T b| has its least where |a x - b| has.
+  /// R, with as many rows as the shorter side of a: |R x - Q^T b| has its least where |a x - b| has.
   Eigen::MatrixXd triangle() const;
 
  private:

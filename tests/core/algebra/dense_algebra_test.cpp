@@ -74,6 +74,10 @@ TEST_CASE("An overdetermined system leaves nothing along its columns, by its tri
   const Eigen::MatrixXd triangle = system.triangle();
   CHECK((triangle.transpose() * triangle).isApprox(a.transpose() * a, 1e-13));
   CHECK((triangle * inverse_of_upper(triangle)).isIdentity(1e-12));
+  const Eigen::MatrixXd wide = a.topRows(3);
+  const Eigen::VectorXd some = OverdeterminedSystem(wide).solve(b.head(3));
+  CHECK((wide * some).isApprox(b.head(3), 1e-10));
+  CHECK(some.tail(2).isZero(0));
 }
 
 TEST_CASE("Products of matrices and vectors are sums over their elements, in either order of storage", "[numerics]") {
