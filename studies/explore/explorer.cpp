@@ -69,13 +69,17 @@ HttpReply json_reply(const Json& json, int status = 200) {
   return {status, "application/json", json.dump(-1, ' ', false, Json::error_handler_t::replace)};
 }
 
-/// "scene: load = -1: must be > 0" is said at the field of load. To the browser it is an answer as any other.
+/// "scene: load = -1: must be > 0" is said at the field of load. To the browser it is an answer as any other; a request
+/// that no page makes is none.
 HttpReply refusal(const std::string& words) {
   constexpr std::string_view place = "scene: ";
+  constexpr int bad_request = 400;
   Json reply{{"error", words}};
   if (words.starts_with(place)) reply["key"] = words.substr(place.size(), words.find(' ', place.size()) - place.size());
-  return json_reply(reply);
+  return json_reply(reply, words.starts_with("request") ? bad_request : 200);
 }
+
+HttpReply nothing_here() { return json_reply({{"error", "nothing is here"}}, 404); }
 
 bool wished(const Json& asked, const char* what) {
   const auto wish = asked.find(what);
@@ -147,7 +151,10 @@ HttpReply Explorer::operator()(const HttpRequest& request) {
 
 HttpReply Explorer::reply_to(const HttpRequest& request, const std::string& what) {
   try {
-    if (request.method == "POST") return json_reply(posted(what, parse_object(request.body, "request")));
+    if (request.method == "POST") {
+      const std::optional<Json> reply = posted(what, parse_object(request.body, "request"));
+      return reply ? json_reply(*reply) : nothing_here();
+    }
     if (what == "/start")
       return json_reply({{"scene", first_scene_},
                          {"held", first_held_},
@@ -168,13 +175,11 @@ HttpReply Explorer::reply_to(const HttpRequest& request, const std::string& what
     for (const auto& [name, text] : page_files)
       if (what == "/" + std::string(name) || (what == "/" && name == "explore.html"))
         return {200, type_of(name), std::string(text)};
-    return json_reply({{"error", "nothing is here"}}, 404);
+    return nothing_here();
   } catch (const Interrupted&) {
     return json_reply({{"error", "a newer wish has come"}, {"superseded", true}});
-  } catch (const std::invalid_argument& error) {
-    return refusal(error.what());
   } catch (const std::exception& error) {
-    return json_reply({{"error", error.what()}});
+    return refusal(error.what());
   }
 }
 
@@ -223,7 +228,7 @@ void Explorer::forget_old_answers() {
   curves_.forget();
 }
 
-Json Explorer::posted(const std::string& what, const Json& asked) {
+std::optional<Json> Explorer::posted(const std::string& what, const Json& asked) {
   if (what == "/answer") return answered(asked);
   if (what == "/newer") {
     newer_than(needed(asked, "wish", "request", "must be an object"));
@@ -244,9 +249,9 @@ Json Explorer::posted(const std::string& what, const Json& asked) {
   }
   if (what == "/stop") {
     runs_.stop(needed_text(asked, "study", "request", "must be a study's name"));
-    return {{"stopping", true}};
+    return Json{{"stopping", true}};
   }
-  throw std::invalid_argument("nothing is here");
+  return std::nullopt;
 }
 
 }  // namespace rollres

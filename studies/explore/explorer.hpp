@@ -46,7 +46,8 @@ class Explorer {
   using Newest = std::shared_ptr<std::atomic<std::int64_t>>;
 
   HttpReply reply_to(const HttpRequest& request, const std::string& what);
-  Json posted(const std::string& what, const Json& asked);
+  /// Nothing where no such request is.
+  std::optional<Json> posted(const std::string& what, const Json& asked);
   std::function<bool()> newer_than(const Json& wish);
   Json answered(const Json& asked);
   void forget_old_answers();

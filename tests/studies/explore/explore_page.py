@@ -207,8 +207,10 @@ def strangers(address, process):
     assert status("/" + "a" * 4000) == 414
     assert status(good, "DELETE") == 405
     assert status(f"/{token}/answer", "POST", "x" * 2_000_000) == 413
-    for hostile in ("{", "[]", '{"scene": 1}', '{"wish": {"page": "a", "view": "b", "number": -1}}', "[" * 100000):
-        assert status(f"/{token}/answer", "POST", hostile) == 200  # refused in words
+    for hostile in ("{", "[]", '{"wish": {"page": "a", "view": "b", "number": -1}}', "[" * 100000):
+        assert status(f"/{token}/answer", "POST", hostile) == 400
+    assert status(f"/{token}/answer", "POST", '{"scene": 1}') == 200  # refused in words, as any scene
+    assert status(f"/{token}/nowhere", "POST", "{}") == 404
     before, open_ones = memory(), []
     for _ in range(40):  # they say half of what they want and wait
         one = socket.create_connection(host.split(":"))

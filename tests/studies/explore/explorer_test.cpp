@@ -88,6 +88,19 @@ TEST_CASE("a page is opened by its address alone, and by no page of another host
   CHECK_THAT(page.get("").headers.at("Content-Security-Policy"), Contains("default-src 'none'") && !Contains("unsafe"));
 }
 
+TEST_CASE("a request that no page makes is a bad one, and a refused value is an answer", "[studies][explore]") {
+  Page page(closed_form);
+  const auto status = [&](const std::string& what, const std::string& body) {
+    return page.explorer({"POST", "/" + page.explorer.token() + "/" + what, {}, "127.0.0.1:8000", "", body}).status;
+  };
+  const std::string wish = R"("wish": {"page": "one", "view": "answer", "number": 1})";
+  CHECK(status("nowhere", "{}") == 404);
+  for (const std::string body : {"", "[1]", "{\"scene\"", "{}", "\xff\xfe"}) CHECK(status("answer", body) == 400);
+  CHECK(status("answer", "{" + wish + "}") == 400);
+  CHECK(status("answer", R"({"scene": {"load": -1}, )" + wish + "}") == 200);
+  CHECK(status("answer", "{\"scene\": " + plain.dump() + ", " + wish + "}") == 200);
+}
+
 TEST_CASE("a page is told what the program answers to the same file, to the last digit", "[studies][explore]") {
   Page page(solve);
   Json layered = plain;
