@@ -54,10 +54,10 @@ EvenSeries series_at_times(const std::vector<MeasuredModulus>& data, const Tempe
     const double omega = measured.angular_frequency * factors.time(measured.temperature);
     const double scale = 1 / factors.modulus(measured.temperature);
     for (Eigen::Index j = 0; j < terms; ++j) {
-      const std::complex<double> unit =
-          scale * complex_modulus(PronySeries{0, {{1, times[static_cast<std::size_t>(j)]}}}, omega);
-      a(row, j + 1) = unit.real() / measured.storage_deviation;
-      a(row + 1, j + 1) = unit.imag() / measured.loss_deviation;
+      // i omega tau/(1 + i omega tau)
+      const double turned = omega * times[static_cast<std::size_t>(j)], loss = scale * turned / (1 + turned * turned);
+      a(row, j + 1) = turned * loss / measured.storage_deviation;
+      a(row + 1, j + 1) = loss / measured.loss_deviation;
     }
     a(row, 0) = scale / measured.storage_deviation;
     a(row + 1, 0) = 0;
