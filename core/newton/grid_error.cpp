@@ -256,9 +256,12 @@ GridError grid_error(const ContactProblem& problem, const Vector& pressure, cons
   error.unresolved = lost.resistance;
   if (!model.coating.empty()) error.memory_length = lost.length;
   if (composite || second >= largest_second || model.adhesion_threshold > 0) return error;
+  // Memories that are short beside those of the second term have crept at once.
+  double softening = 0;
+  for (const CreepSpectrum::Term& term : creep.terms)
+    softening += term.compliance / moments.rest * std::min(1.0, term.time * moments.first / moments.second);
   // Measured against exact solutions: the slopes at the edges are known to a twentieth (less over a thin layer), and
   // change with the memory; the rest is what friction adds at steep edges.
-  const double softening = 1 - creep.instantaneous / moments.rest;
   const double edges = std::clamp(0.2 * sums.half_length / model.top().layer_thickness, 0.05, 2.0);
   const double slope = model.friction_coefficient > 0 ? sums.half_length / model.radius : 0;
   // What both terms have of memories that are not short against the contact is no part of slow rolling.

@@ -434,7 +434,7 @@ TEST_CASE("the largest pressure under a given approach has friction's part of th
 }
 
 // Its time squared times its modulus is a seventh of the other's.
-TEST_CASE("slow rolling knows nothing of a memory that the contact cannot see", "[core][grid_error]") {
+TEST_CASE("slow rolling knows nothing of a long memory that the contact cannot see", "[core][grid_error]") {
   RollingScene scene;
   scene.indenter = Indenter::sphere;
   scene.radius = 0.04757;
@@ -456,4 +456,27 @@ TEST_CASE("slow rolling knows nothing of a memory that the contact cannot see", 
   const RollingSolution other = solve(scene);
   CHECK(other.model.find("slow rolling") != std::string::npos);
   CHECK(other.rolling_resistance == Approx(one.rolling_resistance).epsilon(1e-8));
+}
+
+TEST_CASE("slow rolling knows nothing of a memory that is over at once", "[core][grid_error]") {
+  RollingScene scene;
+  scene.radius = 0.0286;
+  scene.layer_thickness = 0.006542;
+  scene.poisson_ratio = 0.1743;
+  scene.material = MaterialModel::prony;
+  scene.static_shear_modulus = 5.328e6;
+  scene.relaxation_times = {1.967932489451477e-6};
+  scene.relaxation_moduli = {57.8088e6};
+  scene.speed = 5.12;
+  scene.approach = 7.867e-5;
+  scene.friction_coefficient = 0;
+  scene.method = Method::newton;
+  scene.spacing = 1.099e-4;
+  const RollingSolution one = solve(scene);
+  REQUIRE(one.model.find("slow rolling") != std::string::npos);
+  scene.relaxation_times.push_back(3e-13);
+  scene.relaxation_moduli.push_back(1.1e6);
+  const RollingSolution other = solve(scene);
+  CHECK(other.rolling_resistance == Approx(one.rolling_resistance).epsilon(1e-7));
+  CHECK(other.rolling_resistance_error == Approx(one.rolling_resistance_error).epsilon(1e-6));
 }
