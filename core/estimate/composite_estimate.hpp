@@ -30,7 +30,7 @@ struct HertzResponse {
 };
 HertzResponse hertz_response(const ContactModel& model, double half_width);
 
-/// Frequencies at which waves take that power from the layers below: slower ones take a tenth of it, faster ones a
+/// Frequencies at which waves take that power from all layers: slower ones take a tenth of it, faster ones a
 /// tenth [Hz]. Nothing of layers that take none.
 struct LossBand {
   double lowest, highest;

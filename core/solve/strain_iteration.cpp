@@ -60,7 +60,7 @@ class StrainIteration {
         !agree(factors, answer, wanted_agreement))
       approach_roughly(factors, answer, slopes);
     if (const std::string why = settle(factors, answer, slopes, wanted_agreement, most_solutions); !why.empty())
-      return without_answer({}, Status::not_converged, why);
+      return without_answer(Method::newton, Status::not_converged, why);
     if (answer.solution.status != Status::converged) return std::move(answer.solution);
     return finished(std::move(answer), factors);
   }

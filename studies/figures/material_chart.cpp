@@ -207,19 +207,20 @@ bool shifts_times(const MaterialInputs& layer) {
 }
 
 ChartRequest shift_chart(const MaterialInputs& layer, const std::string& title) {
-  constexpr double freezing = 273.15;
+  const ScaledUnit degrees = celsius();
   const double reference = *layer.reference_temperature, own = layer.temperature.value_or(reference);
   const auto point = [&](double temperature) {
     MaterialInputs there = layer;
     there.temperature = temperature;
-    return ChartPoint{temperature - freezing, time_shift(there)};
+    return ChartPoint{degrees.number(temperature), time_shift(there)};
   };
-  ChartRequest request{.title = title,
-                       .subtitle = "times at T over those at " + short_number(reference - freezing, 4) + " °C",
-                       .x = {.name = "temperature", .symbol = "T", .unit = "°C", .margin = 0.02},
-                       .y = {.name = "shift of times", .symbol = "a_T", .logarithmic = true},
-                       .curves = {},
-                       .mark_peaks = false};
+  ChartRequest request{
+      .title = title,
+      .subtitle = "times at T over those at " + short_number(degrees.number(reference), 4) + " " + degrees.name,
+      .x = {.name = "temperature", .symbol = "T", .unit = degrees.name, .margin = 0.02},
+      .y = {.name = "shift of times", .symbol = "a_T", .logarithmic = true},
+      .curves = {},
+      .mark_peaks = false};
   double lowest = std::min(own, reference), highest = std::max(own, reference);
   ChartCurve rows{.label = "table", .points = {}, .line = false};
   if (!layer.shift_factors.empty()) {
@@ -237,8 +238,9 @@ ChartRequest shift_chart(const MaterialInputs& layer, const std::string& title) 
   for (int i = 0; i <= pieces; ++i) curve.points.push_back(point(lowest + (highest - lowest) * i / pieces));
   request.curves.push_back(std::move(curve));
   if (!rows.points.empty()) request.curves.push_back(std::move(rows));
-  request.curves.push_back(
-      {.label = "this layer, " + short_number(own - freezing, 4) + " °C", .points = {point(own)}, .line = false});
+  request.curves.push_back({.label = "this layer, " + short_number(degrees.number(own), 4) + " " + degrees.name,
+                            .points = {point(own)},
+                            .line = false});
   return request;
 }
 
