@@ -130,6 +130,69 @@ Eigen::MatrixXd pseudo_inverse(const Eigen::MatrixXd& a, std::optional<double> t
   return scaled * parts.u.transpose();
 }
 
+namespace {
+
+/// Q^T (a b) of a least squares |a x - b| whose unknowns come and go. The columns of a that are in use, in the order in
+/// which they came, are an upper triangle; below it stands what they leave of the other columns and of b.
+class ColumnsInUse {
+ public:
+  ColumnsInUse(const Eigen::MatrixXd& a, const Eigen::VectorXd& b)
+      : sizes_(a.colwise().norm()), turned_(a.rows(), a.cols() + 1) {
+    turned_ << a, b;
+  }
+
+  const std::vector<Eigen::Index>& columns() const { return used_; }
+
+  /// a^T (b - a x) at the x of least squares.
+  Eigen::VectorXd slopes() const {
+    const auto left = turned_.bottomRows(turned_.rows() - count());
+    return left.leftCols(sizes_.size()).transpose() * left.rightCols<1>();
+  }
+
+  /// The x of least squares, of the columns in use.
+  Eigen::VectorXd solution() const {
+    const Eigen::MatrixXd triangle = turned_(Eigen::seqN(0, count()), used_);
+    Eigen::VectorXd x = turned_.rightCols<1>().head(count());
+    triangle.triangularView<Upper>().solveInPlace(x);
+    return x;
+  }
+
+  /// False, and nothing is changed, for a column that depends on those in use.
+  bool add(Eigen::Index column) {
+    constexpr double dependent = 1e-14;
+    auto left = turned_.bottomRows(turned_.rows() - count());
+    if (left.rows() == 0 || left.col(column).norm() <= dependent * sizes_[column]) return false;
+    Eigen::VectorXd reflection(left.rows() - 1), work(turned_.cols());
+    double factor = 0, size = 0;
+    left.col(column).makeHouseholder(reflection, factor, size);
+    left.applyHouseholderOnTheLeft(reflection, factor, work.data());
+    left.col(column).setZero();
+    left(0, column) = size;
+    used_.push_back(column);
+    return true;
+  }
+
+  /// Takes out the column in use at a place of columns().
+  void remove(Eigen::Index place) {
+    used_.erase(used_.begin() + place);
+    for (Eigen::Index row = place; row < count(); ++row) {  // a row too many stands in each column behind it
+      Eigen::JacobiRotation<double> rotation;
+      rotation.makeGivens(turned_(row, used_[row]), turned_(row + 1, used_[row]));
+      turned_.applyOnTheLeft(row, row + 1, rotation.adjoint());
+      turned_(row + 1, used_[row]) = 0;
+    }
+  }
+
+ private:
+  Eigen::Index count() const { return std::ssize(used_); }
+
+  Eigen::VectorXd sizes_;
+  Eigen::MatrixXd turned_;
+  std::vector<Eigen::Index> used_;
+};
+
+}  // namespace
+
 Eigen::VectorXd nonnegative_least_squares(const Eigen::MatrixXd& a, const Eigen::VectorXd& b) {
   const Eigen::Index n = a.cols();
   Eigen::VectorXd x = Eigen::VectorXd::Zero(n);
@@ -140,41 +203,35 @@ Eigen::VectorXd nonnegative_least_squares(const Eigen::MatrixXd& a, const Eigen:
     const Eigen::MatrixXd triangle = OverdeterminedSystem(all).triangle();
     return nonnegative_least_squares(triangle.leftCols(n), triangle.col(n));
   }
-  std::vector<Eigen::Index> free;
-  const double negligible = 1e-12 * (a.transpose() * b).cwiseAbs().maxCoeff();
-  std::vector<char> refused(static_cast<std::size_t>(n), 0);  // came back at once, nothing having moved since
+  ColumnsInUse used(a, b);
+  const double negligible = 1e-12 * used.slopes().cwiseAbs().maxCoeff();
+  Eigen::Array<bool, Eigen::Dynamic, 1> refused(n);  // came back at once, nothing having moved since
+  refused.setConstant(false);
   for (Eigen::Index round = 0; round < 3 * n; ++round) {
-    const Eigen::VectorXd gradient = a.transpose() * (b - a * x);
-    Eigen::Index steepest = -1;
-    for (Eigen::Index j = 0; j < n; ++j)
-      if (x[j] == 0 && !refused[static_cast<std::size_t>(j)] && gradient[j] > negligible &&
-          (steepest < 0 || gradient[j] > gradient[steepest]))
-        steepest = j;
-    if (steepest < 0) break;
-    free.push_back(steepest);
+    require_time();
+    Eigen::Index steepest = 0;
+    if ((x.array() == 0 && !refused).select(used.slopes(), 0).maxCoeff(&steepest) <= negligible) break;
     const Eigen::VectorXd before = x;
-    while (!free.empty()) {
-      const Eigen::VectorXd wanted = least_squares(a(Eigen::all, free), b);
+    for (bool done = !used.add(steepest); !done;) {
+      const Eigen::VectorXd wanted = used.solution();
       double part = 1;  // of the way from x to what is wanted, so far as nothing turns negative
-      for (std::size_t k = 0; k < free.size(); ++k)
-        if (const auto i = static_cast<Eigen::Index>(k); wanted[i] <= 0)
-          part = std::min(part, x[free[k]] / (x[free[k]] - wanted[i] + std::numeric_limits<double>::min()));
-      std::vector<Eigen::Index> kept;
-      for (std::size_t k = 0; k < free.size(); ++k) {
-        const auto i = static_cast<Eigen::Index>(k);
-        const double value = x[free[k]] + part * (wanted[i] - x[free[k]]);
-        const bool stays = part == 1 || (wanted[i] > 0 && value > 0);
-        x[free[k]] = stays ? value : 0;
-        if (stays) kept.push_back(free[k]);
+      const auto& columns = used.columns();
+      for (Eigen::Index i = 0; i < wanted.size(); ++i)
+        if (wanted[i] <= 0)
+          part = std::min(part, x[columns[i]] / (x[columns[i]] - wanted[i] + std::numeric_limits<double>::min()));
+      done = part == 1;
+      for (Eigen::Index i = wanted.size() - 1; i >= 0; --i) {
+        double& value = x[columns[i]];
+        value += part * (wanted[i] - value);
+        if (done || (wanted[i] > 0 && value > 0)) continue;
+        value = 0;
+        used.remove(i);
       }
-      const bool done = part == 1;
-      free = std::move(kept);
-      if (done) break;
     }
     if (x == before)
-      refused[static_cast<std::size_t>(steepest)] = 1;
+      refused[steepest] = true;
     else
-      std::fill(refused.begin(), refused.end(), char{0});
+      refused.setConstant(false);
   }
   return x;
 }

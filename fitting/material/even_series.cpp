@@ -43,28 +43,42 @@ std::vector<double> even_times(const std::vector<MeasuredModulus>& data, const T
   return all;
 }
 
-EvenSeries series_at_times(const std::vector<MeasuredModulus>& data, const TemperatureShift& shift,
-                           const std::vector<double>& times) {
-  const Eigen::Index terms = std::ssize(times);
-  Eigen::MatrixXd a(2 * std::ssize(data), terms + 1);
-  Eigen::VectorXd b(2 * std::ssize(data));
+Eigen::VectorXd deviations_of(const std::vector<MeasuredModulus>& data) {
+  Eigen::VectorXd deviations(2 * std::ssize(data));
+  for (Eigen::Index i = 0; i < std::ssize(data); ++i)
+    deviations.segment<2>(2 * i) << data[static_cast<std::size_t>(i)].storage_deviation,
+        data[static_cast<std::size_t>(i)].loss_deviation;
+  return deviations;
+}
+
+Eigen::MatrixXd unit_moduli(const std::vector<MeasuredModulus>& data, const TemperatureShift& shift,
+                            const std::vector<double>& times) {
+  Eigen::MatrixXd units(2 * std::ssize(data), std::ssize(times) + 1);
   const ShiftFactors factors(shift);
   Eigen::Index row = 0;
   for (const MeasuredModulus& measured : data) {
     const double omega = measured.angular_frequency * factors.time(measured.temperature);
     const double scale = 1 / factors.modulus(measured.temperature);
-    for (Eigen::Index j = 0; j < terms; ++j) {
+    units.col(0).segment<2>(row) << scale, 0;
+    for (Eigen::Index j = 0; j < std::ssize(times); ++j) {
       // i omega tau/(1 + i omega tau)
       const double turned = omega * times[static_cast<std::size_t>(j)], loss = scale * turned / (1 + turned * turned);
-      a(row, j + 1) = turned * loss / measured.storage_deviation;
-      a(row + 1, j + 1) = loss / measured.loss_deviation;
+      units.col(j + 1).segment<2>(row) << turned * loss, loss;
     }
-    a(row, 0) = scale / measured.storage_deviation;
-    a(row + 1, 0) = 0;
-    b[row] = measured.storage / measured.storage_deviation;
-    b[row + 1] = measured.loss / measured.loss_deviation;
     row += 2;
   }
+  return units;
+}
+
+EvenSeries series_at_times(const std::vector<MeasuredModulus>& data, const TemperatureShift& shift,
+                           const std::vector<double>& times) {
+  const Eigen::Index terms = std::ssize(times);
+  const Eigen::VectorXd weights = deviations_of(data).cwiseInverse();
+  const Eigen::MatrixXd a = weights.asDiagonal() * unit_moduli(data, shift, times);
+  Eigen::VectorXd b(2 * std::ssize(data));
+  for (Eigen::Index i = 0; i < std::ssize(data); ++i)
+    b.segment<2>(2 * i) << data[static_cast<std::size_t>(i)].storage, data[static_cast<std::size_t>(i)].loss;
+  b.array() *= weights.array();
   const Eigen::VectorXd moduli = nonnegative_least_squares(a, b);
   EvenSeries answer{{moduli[0], {}}, (a * moduli - b).squaredNorm(), static_cast<int>(terms)};
   for (Eigen::Index j = 0; j < terms; ++j)

@@ -3,6 +3,8 @@
 /// Prony series of fixed relaxation times, in even steps of their logarithm over the reduced frequencies: linear in
 /// their moduli, which non-negative least squares find (those that are 0 are left out).
 
+#include <Eigen/Core>
+
 #include <vector>
 
 #include "core/material/material_scale.hpp"
@@ -26,6 +28,14 @@ struct EvenSeries {
 /// @param beyond  decades that the steps reach beyond the frequencies at either end
 std::vector<double> even_times(const std::vector<MeasuredModulus>& data, const TemperatureShift& shift, int times,
                                double beyond = 0);
+
+/// Of the rows storage and loss in turn, as in all that follows [Pa].
+Eigen::VectorXd deviations_of(const std::vector<MeasuredModulus>& data);
+
+/// G* at the rows, divided by b_T: in the first column that of a modulus at rest of 1 Pa, then of each time with a
+/// modulus of 1 Pa.
+Eigen::MatrixXd unit_moduli(const std::vector<MeasuredModulus>& data, const TemperatureShift& shift,
+                            const std::vector<double>& times);
 
 EvenSeries even_series(const std::vector<MeasuredModulus>& data, const TemperatureShift& shift, int times,
                        double beyond = 0);

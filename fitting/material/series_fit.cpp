@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numbers>
 #include <optional>
+#include <span>
 #include <stdexcept>
 #include <utility>
 
@@ -11,6 +12,7 @@
 #include "core/messages/message_text.hpp"
 #include "fitting/material/even_series.hpp"
 #include "fitting/material/material_problem.hpp"
+#include "fitting/material/series_slopes.hpp"
 
 namespace rollres {
 
@@ -45,46 +47,23 @@ std::vector<FitParameter> series_parameters(const PronySeries& series) {
   return parameters;
 }
 
-/// Slopes of a problem whose first parameters are the moduli of a series: those are what a unit modulus adds, those of
-/// the shift differences.
+/// Slopes of a problem whose first parameters are the moduli of a series: those are what a unit modulus adds.
 Slopes series_slopes(const std::vector<MeasuredModulus>& data, const PronySeries& series,
                      const MaterialFitOptions& options, const FitProblem& problem, const FitPoint& point,
                      const Prediction& prediction) {
-  constexpr double step = 1e-3, rounding = 1e-15;
+  constexpr double rounding = 1e-15;
   const Eigen::Index rows = prediction.values.size(), columns = std::ssize(problem.parameters);
-  const Eigen::VectorXd noise = rounding * prediction.values.cwiseAbs();
-  Slopes slopes{Eigen::MatrixXd::Zero(rows, columns), Eigen::MatrixXd::Zero(rows, columns), noise,
-                Eigen::VectorXd::Constant(columns, RollingSolution::absent)};
-  const Eigen::Index moduli = std::ssize(series.terms) + (series.static_modulus > 0 ? 1 : 0);
+  Slopes slopes{Eigen::MatrixXd::Zero(rows, columns), Eigen::MatrixXd::Zero(rows, columns),
+                rounding * prediction.values.cwiseAbs(), Eigen::VectorXd::Constant(columns, RollingSolution::absent)};
   const TemperatureShift here = shift_at(options.shift, point, options.free_shifts);
-  const ShiftFactors factors(here);
-  for (Eigen::Index row = 0; row < rows; row += 2) {
-    const MeasuredModulus& measured = data[static_cast<std::size_t>(row / 2)];
-    const double omega = measured.angular_frequency * factors.time(measured.temperature),
-                 scale = 1 / factors.modulus(measured.temperature);
-    for (Eigen::Index j = 0; j < moduli; ++j) {
-      const Eigen::Index term = j - (moduli - std::ssize(series.terms));
-      const std::complex<double> unit =
-          term < 0 ? 1
-                   : complex_modulus(PronySeries{0, {{1, series.terms[static_cast<std::size_t>(term)].time}}}, omega);
-      const double size = scale * problem.parameters[static_cast<std::size_t>(j)].variable.size;
-      slopes.derivatives(row, j) = unit.real() * size;
-      slopes.derivatives(row + 1, j) = unit.imag() * size;
-    }
-  }
-  if (moduli == columns) return slopes;
-  FitProblem shifts = problem;
-  shifts.parameters.erase(shifts.parameters.begin(), shifts.parameters.begin() + moduli);
-  shifts.model.predict = [&](const FitPoint& constants, const DataRows&) {
-    FitPoint whole = point;
-    std::copy(constants.begin(), constants.end(), whole.begin() + moduli);
-    return problem.predict(whole);
-  };
-  const Slopes by_shift = differences(shifts, FitPoint(point.begin() + moduli, point.end()), prediction, step, noise);
-  if (!by_shift.found()) return by_shift;
-  slopes.derivatives.rightCols(columns - moduli) = by_shift.derivatives;
-  slopes.errors.rightCols(columns - moduli) = by_shift.errors;
-  slopes.steps.tail(columns - moduli) = by_shift.steps;
+  const Eigen::MatrixXd units = modulus_slopes(data, here, series);
+  const Eigen::Index moduli = units.cols();
+  for (Eigen::Index j = 0; j < moduli; ++j)
+    slopes.derivatives.col(j) = problem.parameters[static_cast<std::size_t>(j)].variable.size * units.col(j);
+  slopes.derivatives.rightCols(columns - moduli) =
+      shift_slopes(data, series_at(series, point), options,
+                   std::span(problem.parameters).last(static_cast<std::size_t>(columns - moduli)),
+                   std::span(point).last(static_cast<std::size_t>(columns - moduli)));
   return slopes;
 }
 
@@ -261,10 +240,10 @@ MaterialFit fit_free(const std::vector<MeasuredModulus>& data, const MaterialFit
 TemperatureShift best_shift(const std::vector<MeasuredModulus>& data, const MaterialFitOptions& options) {
   FitProblem problem =
       material_problem(data, {}, options, [](const FitPoint&, double) { return std::complex<double>(); });
-  FitPoint start = start_point(problem);
-  if (start.empty()) return options.shift;
+  FitPoint end = start_point(problem);
+  if (end.empty()) return options.shift;
   const auto shift_of = [&](const FitPoint& point) { return shift_at(options.shift, point, options.free_shifts); };
-  const EvenSeries basis = automatic_series(data, shift_of(start), options.deviations_known);
+  EvenSeries basis;
   problem.model.predict = [&](const FitPoint& point, const DataRows&) {
     Prediction prediction{Eigen::VectorXd(2 * std::ssize(data))};
     try {
@@ -283,12 +262,28 @@ TemperatureShift best_shift(const std::vector<MeasuredModulus>& data, const Mate
     }
     return prediction;
   };
-  problem.model.differentiate = [&problem](const FitPoint& point, const Prediction& prediction) {
-    constexpr double step = 1e-2, rounding = 1e-12;
-    return differences(problem, point, prediction, step, rounding * prediction.values.cwiseAbs());
+  problem.model.differentiate = [&](const FitPoint& point, const Prediction& prediction) {
+    if (!options.free_shifts) {  // few constants: a step beyond the kinks where a modulus becomes 0
+      constexpr double step = 1e-2, rounding = 1e-12;
+      return differences(problem, point, prediction, step, rounding * prediction.values.cwiseAbs());
+    }
+    const PronySeries series = even_series(data, shift_of(point), basis.times, basis.beyond).series;
+    Slopes slopes{following_slopes(data, series, prediction.values, options, problem.parameters, point), {}, {}, {}};
+    slopes.errors = Eigen::MatrixXd::Zero(slopes.derivatives.rows(), slopes.derivatives.cols());
+    slopes.noise = Eigen::VectorXd::Zero(slopes.derivatives.rows());
+    slopes.steps = Eigen::VectorXd::Constant(slopes.derivatives.cols(), RollingSolution::absent);
+    return slopes;
   };
-  const Descent found = descend(problem, start, {.tolerance = 1e-4, .stop = options.options.stop});
-  return shift_of(found.found() ? found.end : start);
+  constexpr int most_rounds = 4;  // as rows join better, they ask for other times
+  for (int round = 0, times = 0; round < most_rounds; ++round) {
+    basis = automatic_series(data, shift_of(end), options.deviations_known);
+    if (basis.times == times) break;
+    times = basis.times;
+    const Descent found = descend(problem, end, {.tolerance = 1e-4, .stop = options.options.stop});
+    if (!found.found()) break;
+    end = found.end;
+  }
+  return shift_of(end);
 }
 
 MaterialFit fit_series(const std::vector<MeasuredModulus>& data, const MaterialFitOptions& options) {
