@@ -159,7 +159,10 @@ void MediumExpansion::fit(const LayeredMedium& medium, double wave_speed, const 
   for (Index i = 0; i < rows; ++i)
     for (const complex& modulus : moduli[static_cast<std::size_t>(i)])
       weights(i) = std::min(weights(i), std::abs(modulus));
-  const Eigen::MatrixXd inverse = pseudo_inverse(weighted_system(frequencies, times, weights), 1e-12);
+  // Times close together would get weights a thousand times the compliance that cancel, and with them the rounding of
+  // their passages would count.
+  constexpr double told_apart = 1e-10;
+  const Eigen::MatrixXd inverse = pseudo_inverse(weighted_system(frequencies, times, weights), told_apart);
   const auto fitted = [&](const auto& symbols_at) {
     Eigen::MatrixX4d values(2 * rows, 4);
     for (Index i = 0; i < rows; ++i) {

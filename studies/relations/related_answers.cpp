@@ -129,11 +129,11 @@ struct Compared {
   const RelatedScenes& scenes;
   const RollingSolution &one, &other;
 
-  /// Whether both solved as many equations on the same cells, and summed them up alike: memories shorter than a cell
-  /// are added to one layer's resistance, and not to that of several; what grids tend to takes the place of what they
-  /// have where changes halve.
+  /// Whether both solved as many equations of the same layers on the same cells, and summed them up alike: memories
+  /// shorter than a cell are added to one layer's resistance, and not to that of several; what grids tend to takes the
+  /// place of what they have where changes halve.
   bool same_cells() const {
-    for (const char* added : {"slow rolling", "that the grids tend to"})
+    for (const char* added : {"slow rolling", "that the grids tend to", "taken as rigid"})
       if ((one.model.find(added) == std::string::npos) != (other.model.find(added) == std::string::npos)) return false;
     const double spacing = one.spacing * scenes.factors.length;
     return on_grid(one.method) && one.method == other.method && one.contact_nodes == other.contact_nodes &&

@@ -7,6 +7,7 @@
 #include <Eigen/LU>
 #include <cmath>
 
+#include "core/material/prony_series.hpp"
 #include "core/surface/medium_expansion.hpp"
 #include "tests/catch.hpp"
 #include "tests/infinite.hpp"
@@ -130,6 +131,25 @@ TEST_CASE("a medium of several materials is a sum over fixed retardation times",
     const complex exact = k * surface_compliance(medium, moduli_at(medium, omega), k, 0).normal;
     CHECK(std::abs(sum - exact) < 2e-5 * std::abs(exact));
   }
+}
+
+TEST_CASE("retardation times that are close together do not cancel each other", "[core][medium_expansion]") {
+  // Rounding of one time's passage counts by its weight, so that these may not exceed the compliance by far.
+  const CreepSpectrum material = creep_spectrum(PronySeries{
+      183500, {{149200, 3.645e-06}, {510700, 6.141e-06}, {303600, 6.791e-06}, {71570, 1.731e-05}, {233000, 2.256e-05},
+               {333000, 2.741e-05}, {69540, 3.646e-05},  {65810, 5.166e-05},  {25810, 8.738e-05}, {117800, 9.503e-05},
+               {163900, 0.000103},  {42160, 0.0001573},  {25460, 0.000203},   {39460, 0.0003513}, {143200, 0.0005314},
+               {30730, 0.0005425},  {125200, 0.0006406}, {13430, 0.0008653},  {33000, 0.001032},  {38500, 0.00112},
+               {51720, 0.001271},   {14180, 0.001435},   {74810, 0.001586},   {24520, 0.00172},   {35260, 0.001895},
+               {10230, 0.003314},   {34880, 0.004807},   {29520, 0.00646},    {8949, 0.007924},   {59990, 0.008521},
+               {5411, 0.01764}}});
+  const MediumLayer half_space{infinite, 0.5, 1000, material};
+  const MediumExpansion expansion({half_space}, 6.452);
+  CHECK(expansion.error() < 1e-5);
+  double weights = 0;
+  for (const MediumTerm& term : expansion.terms()) weights += std::abs(term.deep.normal);
+  const double at_rest = half_space_compliance(half_space, 1 / material.at_rest(), 6.452).normal.real();
+  CHECK(weights < 50 * at_rest);
 }
 
 TEST_CASE("layers of one material share its own retardation times", "[core][medium_expansion]") {
