@@ -160,6 +160,16 @@ Table run_query(const Database& database, const Query& query) {
   });
 }
 
+ColumnTable run_column_query(const Database& database, const Query& query) {
+  return naming(database.name(), [&] {
+    std::vector<Cell> bound;
+    const std::string sql = sql_of(database.connection(), query, bound);
+    ColumnTable table = columns_of_rows(database.connection(), sql, bound);
+    if (!query.columns.empty()) table.names = query.columns;
+    return table;
+  });
+}
+
 std::vector<bool> columns_that_vary(const Database& database, const Query& query) {
   return naming(database.name(), [&] {
     std::vector<Cell> bound;
@@ -258,8 +268,7 @@ Table run_sql(const Database& database, const std::string& sql) {
     if (!first.found) refuse("must be a statement, as in SELECT * FROM resistance");
     if (!first.reads) refuse("must only read");
     if (first_statement(connection.getHandle(), first.rest).found) refuse("must be one statement");
-    SQLite::Statement statement(connection, sql);
-    return rows_of(statement);
+    return rows_of(connection, sql, {});
   });
 }
 

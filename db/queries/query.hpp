@@ -17,7 +17,7 @@
 
 #include "core/scene/quantity.hpp"
 #include "db/file/database.hpp"
-#include "db/queries/table.hpp"
+#include "db/queries/column_table.hpp"
 
 namespace rollres {
 
@@ -33,6 +33,8 @@ struct Filter {
   /// Whether the value has the unit of a metre of a cylinder (N/m), or that of a whole body (N): other rows differ from
   /// it, whatever their number. Nothing if no unit tells.
   std::optional<bool> per_metre = {};
+
+  bool operator==(const Filter&) const = default;
 };
 
 /// By how much a number can differ from one that people wrote or copied from a table: half a unit of its last digit, or
@@ -65,6 +67,8 @@ struct Query {
 /// @throws std::invalid_argument naming an unknown column and the nearest known one, or a value that is no number
 /// @throws std::runtime_error naming the file if the database fails
 Table run_query(const Database& database, const Query& query);
+/// The same by columns, for answers of many rows.
+ColumnTable run_column_query(const Database& database, const Query& query);
 
 /// Whether each of the columns of a question holds more than one value in its rows, an absent one counted.
 /// @throws as run_query

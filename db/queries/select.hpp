@@ -48,10 +48,9 @@ std::string order_terms(const std::vector<std::string>& sort, const Columns& kno
 /// @throws std::invalid_argument if it is negative
 std::string limit_clause(const std::optional<std::int64_t>& limit, std::vector<Cell>& bound, std::int64_t offset = 0);
 
-/// All rows of a statement, under its own names of columns.
-Table rows_of(SQLite::Statement& statement);
-/// The same of a text, with what it binds.
+/// All rows of a statement, with what it binds, under its own names of columns.
 Table rows_of(SQLite::Database& connection, const std::string& sql, const std::vector<Cell>& bound);
+ColumnTable columns_of_rows(SQLite::Database& connection, const std::string& sql, const std::vector<Cell>& bound);
 
 /// Makes computed columns known: each is a function of its own, to which the connection holds on.
 /// @throws std::invalid_argument as column_named

@@ -83,6 +83,12 @@ ShownStudy::ShownStudy(ResultStore& store, const std::vector<std::string>& names
       definition(definition_of(store, names)),
       rows(rows_of(store, names, filters)) {}
 
+ShownStudy::ShownStudy(const ShownStudy& shown, ResultStore& store, const std::vector<Filter>& filters)
+    : file(shown.file),
+      study(shown.study),
+      definition(shown.definition),
+      rows(shown.rows, store, study.name, filters) {}
+
 std::size_t ShownStudy::unanswered() const {
   std::size_t count = 0;
   for (std::size_t row = 0; row < rows.size(); ++row) count += rows.converged(row) ? 0 : 1;

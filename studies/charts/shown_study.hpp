@@ -31,6 +31,8 @@ struct ShownStudy {
   StudyRows rows;
 
   ShownStudy(ResultStore& store, const StudyChartOptions& options);
+  /// The rows of one study that meet other filters. @throws std::invalid_argument if there is none
+  ShownStudy(const ShownStudy& shown, ResultStore& store, const std::vector<Filter>& filters);
   std::size_t unanswered() const;  ///< rows that have not converged
   std::string title() const;       ///< the comment of the study file, its first clause where it is long; or the name
   std::string comment() const;     ///< for the head of a data file

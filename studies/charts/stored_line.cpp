@@ -26,7 +26,7 @@ const QuantityColumn& chosen_axis(const ShownStudy& shown, const std::string& wi
 void require_one_line(const ShownStudy& shown, const QuantityColumn& axis, const std::string& picture) {
   for (const std::string& key : shown.study.axes) {
     const QuantityColumn& other = column_of(key, shown.study, shown.rows, "--axis");
-    const std::set<Cell> values = shown.rows.values(other);
+    const std::vector<Cell> values = shown.rows.values(other);
     if (&other == &axis || values.size() < 2) continue;
     if (shown.rows.size() == shown.rows.values(axis).size()) continue;  // varies along
     throw std::invalid_argument(shown.study.name + ": " + key + " has " + std::to_string(values.size()) + " values; " +

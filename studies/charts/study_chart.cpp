@@ -298,7 +298,10 @@ void tell_families_apart(ChartRequest& request, const Curves& curves, const Choi
 }  // namespace
 
 StoredChart stored_chart(ResultStore& store, const StudyChartOptions& options) {
-  const ShownStudy shown(store, options);
+  return stored_chart(ShownStudy(store, options), options);
+}
+
+StoredChart stored_chart(const ShownStudy& shown, const StudyChartOptions& options) {
   const auto& [file, study, definition, rows] = shown;
   const StudyChart& hints = definition.chart(options.chart, file + ": " + study.name);
   const Choice choice = choose(shown, hints.map.empty() ? hints : StudyChart(), options);

@@ -41,11 +41,15 @@ class TooManyCurves : public std::invalid_argument {
 /// @throws TooManyCurves
 /// @throws std::runtime_error naming the file if the database fails
 StoredChart stored_chart(ResultStore& store, const StudyChartOptions& options);
+/// The same of a study that is read already, with the filters of the options.
+StoredChart stored_chart(const ShownStudy& shown, const StudyChartOptions& options);
 
 /// Reads the map of a study.
 /// @throws std::invalid_argument naming what is unknown, what cannot be drawn (fewer than two values along an axis,
 ///         several points at one place: a further axis must be fixed by a filter), or that no row is left
 /// @throws std::runtime_error naming the file if the database fails
 StoredMap stored_map(ResultStore& store, const StudyChartOptions& options);
+/// The same of a study that is read already; the store has the optimisation.
+StoredMap stored_map(ResultStore& store, const ShownStudy& shown, const StudyChartOptions& options);
 
 }  // namespace rollres

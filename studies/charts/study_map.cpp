@@ -112,7 +112,10 @@ void add_optimum(MapRequest& request, const StoredOptimum* found, const std::str
 StoredMap stored_map(ResultStore& store, const StudyChartOptions& options) {
   if (!options.more_studies.empty())
     throw std::invalid_argument("study = " + options.more_studies.front() + ": a map is of one study");
-  const ShownStudy shown(store, options);
+  return stored_map(store, ShownStudy(store, options), options);
+}
+
+StoredMap stored_map(ResultStore& store, const ShownStudy& shown, const StudyChartOptions& options) {
   const auto& [file, study, definition, rows] = shown;
   const MapAxes axes = choose_axes(study, rows, options);
   const QuantityColumn& value =

@@ -7,6 +7,7 @@
 #include <stdexcept>
 
 #include "studies/drawing/gnuplot.hpp"
+#include "studies/drawing/thinned_chart.hpp"
 #include "studies/text/files.hpp"
 #include "studies/text/readable_number.hpp"
 #include "studies/text/xml_text.hpp"
@@ -165,7 +166,8 @@ void draw_pictures(const ChartFiles& files, const std::string& data, const std::
   write_file(files.svg, with_words(content_of(files.svg), words));
 }
 
-ChartFiles draw_chart(const ChartRequest& request, const std::filesystem::path& name, const std::string& gnuplot) {
+ChartFiles draw_chart(const ChartRequest& asked, const std::filesystem::path& name, const std::string& gnuplot) {
+  const ChartRequest request = thinned(asked);
   ChartFiles files = chart_files(name);
   const bool something = std::any_of(request.curves.begin(), request.curves.end(), [](const ChartCurve& curve) {
     return std::any_of(curve.points.begin(), curve.points.end(), [](const auto& point) { return point.drawn(); });

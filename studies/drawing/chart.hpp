@@ -117,7 +117,8 @@ void run_script(const std::filesystem::path& script, const std::vector<std::file
 void draw_pictures(const ChartFiles& files, const std::string& data, const std::string& script,
                    const PictureWords& words, const std::string& gnuplot = "gnuplot");
 
-/// Writes script and data and draws the pictures; folders are made, older files of that name replaced.
+/// Writes script and data and draws the pictures; folders are made, older files of that name replaced. Of many points
+/// some are drawn (thinned_chart.hpp).
 /// @param gnuplot the program that draws
 /// @throws std::invalid_argument as chart_files, or if there is nothing to draw: no point has a value
 /// @throws std::runtime_error if a file cannot be written, or if gnuplot is missing or fails (with its own words)

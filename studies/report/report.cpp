@@ -32,10 +32,10 @@ StudyReport report_of(ResultStore& store, const ReportOptions& options) {
   if (!name.empty() && !store.definition(name))
     if (const auto fit = find_fit(store.database(), name, FitParts::with_data)) return fit_report(*fit, file);
 
-  const StudySummary study = stored_study(store, options.study);
+  const auto shown = std::make_shared<const ShownStudy>(store, StudyChartOptions{.study = options.study});
+  const StudySummary& study = shown->study;
   const std::string text = accepted_study(store.definition(study.name).value_or(""));
-  const ReportSource source{store, study, text, definition_in(text, file + ": " + study.name),
-                            StudyRows(store, study.name)};
+  const ReportSource source{store, text, {}, shown};
   const PictureSection charts = chart_section(source, options), errors = accuracy_pictures(source);
   const std::string title = title_of_study(source.definition, study.name);
   StudyReport report{study.name, "<h1>" + html::text(title) + "</h1>\n", charts.pictures + errors.pictures};
@@ -66,6 +66,11 @@ StudyReport report_of(ResultStore& store, const ReportOptions& options) {
 }
 
 }  // namespace
+
+ReportSource ReportSource::with(const std::vector<Filter>& wanted) const {
+  return {store, definition_text, wanted,
+          wanted == filters ? shown : std::make_shared<const ShownStudy>(*shown, store, wanted)};
+}
 
 StudyReport study_report(ResultStore& store, const ReportOptions& options) {
   StudyReport report = report_of(store, options);

@@ -12,21 +12,34 @@ namespace {
 
 using html::TableRow;
 
-/// Texts with how often they come, the most frequent first.
-std::vector<std::pair<std::string, std::size_t>> counted(const std::vector<std::string>& texts) {
-  std::map<std::string, std::size_t> counts;
-  for (const std::string& text : texts) ++counts[text];
-  std::vector<std::pair<std::string, std::size_t>> list(counts.begin(), counts.end());
-  std::stable_sort(list.begin(), list.end(), [](const auto& a, const auto& b) { return a.second > b.second; });
-  return list;
-}
+using TextCounts = std::map<std::string, std::size_t>;
 
-void add_parts(std::vector<std::string>& parts, const std::string& text, std::string_view between) {
+void add_parts(TextCounts& parts, const std::string& text, std::string_view between) {
   for (std::size_t start = 0; start < text.size();) {
     const std::size_t end = std::min(text.find(between, start), text.size());
-    if (end > start) parts.push_back(text.substr(start, end - start));
+    if (end > start) ++parts[text.substr(start, end - start)];
     start = end + between.size();
   }
+}
+
+/// Texts with the points that each holds for, the most frequent first; texts that differ only in their numbers are one,
+/// with the ranges of these.
+std::string count_table(const std::string& what, const TextCounts& counts) {
+  constexpr std::size_t most = 20;
+  std::vector<std::string> texts;
+  for (const auto& [text, count] : counts) texts.push_back(text);
+  const std::vector<std::string> words = with_ranges(texts);
+  TextCounts kinds;
+  std::size_t place = 0;
+  for (const auto& [text, count] : counts) kinds[words[place++]] += count;
+  std::vector<std::pair<std::string, std::size_t>> list(kinds.begin(), kinds.end());
+  std::stable_sort(list.begin(), list.end(), [](const auto& a, const auto& b) { return a.second > b.second; });
+  std::vector<TableRow> rows;
+  for (const auto& [text, count] : list)
+    if (rows.size() < most) rows.push_back({{text.empty() ? "-" : text, std::to_string(count)}});
+  return html::table({{what}, {"points", true}}, rows) +
+         (list.size() > most ? html::paragraph(std::to_string(list.size() - most) + " further ones are not listed.")
+                             : "");
 }
 
 /// The scenes of some points, evenly from all, that have a master curve; one for each curve.
@@ -59,21 +72,10 @@ PictureSection master_curve_section(const ReportSource& source) {
   return chart_pictures(charts);
 }
 
-std::string count_table(const std::string& what, const std::vector<std::string>& texts) {
-  constexpr std::size_t most = 20;
-  std::vector<TableRow> rows;
-  const auto kinds = counted(with_ranges(texts));
-  for (const auto& [text, count] : kinds)
-    if (rows.size() < most) rows.push_back({{text.empty() ? "-" : text, std::to_string(count)}});
-  return html::table({{what}, {"points", true}}, rows) +
-         (kinds.size() > most ? html::paragraph(std::to_string(kinds.size() - most) + " further ones are not listed.")
-                              : "");
-}
-
 std::string model_section(const ReportSource& source) {
-  std::vector<std::string> methods, models, assumptions, warnings;
+  TextCounts methods, models, assumptions, warnings;
   for (std::size_t row = 0; row < source.rows.size(); ++row) {
-    methods.push_back(source.rows.text(row, "method"));
+    ++methods[source.rows.text(row, "method")];
     add_parts(models, source.rows.text(row, "model"), "; ");
     add_parts(assumptions, source.rows.text(row, "assumptions"), "\n");
     add_parts(warnings, source.rows.text(row, "warnings"), "\n");

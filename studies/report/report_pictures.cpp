@@ -61,7 +61,7 @@ void where_possible(const std::function<void()>& draw, std::string* refusal = nu
 void add_map_of_file(const ReportSource& source, const ReportOptions& options, const StudyChart& wish,
                      Pictures& pictures) {
   const StoredMap map =
-      stored_map(source.store,
+      stored_map(source.store, *source.shown,
                  {.study = source.study.name, .x = wish.x, .y = wish.y, .filters = options.filters, .map = wish.map});
   pictures.add(map.request.value.name + " over " + map.request.x.name + " and " + map.request.y.name,
                [&](const auto& file) { return draw_map(map.request, file); });
@@ -69,7 +69,7 @@ void add_map_of_file(const ReportSource& source, const ReportOptions& options, c
 
 void add_curves(const ReportSource& source, const StudyChartOptions& options, const std::string& place,
                 Pictures& pictures) {
-  const StoredChart chart = stored_chart(source.store, options);
+  const StoredChart chart = stored_chart(*source.with(options.filters).shown, options);
   const ChartRequest& request = chart.request;
   pictures.add(request.y.name + " against " + request.x.name +
                    (request.family.name.empty() ? "" : ", by " + request.family.name) + place,
@@ -119,8 +119,9 @@ void add_charts(const ReportSource& source, const ReportOptions& options, Pictur
 void add_shares(const ReportSource& source, const ReportOptions& options, Pictures& pictures) {
   where_possible([&] {
     const FixedAxes fixed = all_but_longest(source, options, 1);
-    const StoredChart chart = stored_chart(
-        source.store, {.study = source.study.name, .x = options.x, .shares = true, .filters = fixed.filters});
+    const StoredChart chart =
+        stored_chart(*source.with(fixed.filters).shown,
+                     {.study = source.study.name, .x = options.x, .shares = true, .filters = fixed.filters});
     if (!chart.request.lines) return;
     pictures.add("what of the rolling resistance is lost in the layer and what to friction" + fixed.words,
                  chart.request);
@@ -197,8 +198,8 @@ void add_map(const ReportSource& source, const ReportOptions& options, Pictures&
   constexpr std::size_t fewest = 4;  // values along either axis
   const auto draw = [&] {
     const FixedAxes fixed = all_but_longest(source, options, 2);
-    const StoredMap map =
-        stored_map(source.store, {.study = source.study.name, .filters = fixed.filters, .optimum = optimum});
+    const StoredMap map = stored_map(source.store, *source.with(fixed.filters).shown,
+                                     {.study = source.study.name, .filters = fixed.filters, .optimum = optimum});
     const MapRequest& request = map.request;
     if (optimum.empty() && (request.field.x.size() < fewest || request.field.y.size() < fewest)) return;
     pictures.add(request.value.name + " over " + request.x.name + " and " + request.y.name + fixed.words,
@@ -299,8 +300,7 @@ PictureSection chart_pictures(const std::vector<std::pair<std::string, ChartRequ
 }
 
 PictureSection chart_section(const ReportSource& study, const ReportOptions& options) {
-  const ReportSource source{study.store, study.study, study.definition_text, study.definition,
-                            StudyRows(study.store, study.study.name, options.filters)};
+  const ReportSource source = study.with(options.filters);
   Pictures pictures;
   std::string refusal;
   add_charts(source, options, pictures, refusal);

@@ -3,31 +3,33 @@
 /// The sections of a report (report.hpp), each as HTML: report_summary.cpp, report_optimum.cpp,
 /// report_tables.cpp, report_model.cpp, report_pictures.cpp, report_fit.cpp.
 
+#include <memory>
+
 #include "db/rows/fit_store.hpp"
+#include "studies/charts/shown_study.hpp"
 #include "studies/drawing/chart.hpp"
 #include "studies/optimise/stored_optimum.hpp"
 #include "studies/report/report.hpp"
-#include "studies/stored/study_rows.hpp"
-#include "studies/study/study_definition.hpp"
 
 namespace rollres {
 
 /// What the sections are made of.
 struct ReportSource {
   ResultStore& store;
-  StudySummary study;
   std::string definition_text;
-  StudyDefinition definition;
-  StudyRows rows;
+  std::vector<Filter> filters;  ///< that the rows meet
+  std::shared_ptr<const ShownStudy> shown;
+  const StudySummary& study = shown->study;
+  const StudyDefinition& definition = shown->definition;
+  const StudyRows& rows = shown->rows;
+
+  /// The study with other rows: read anew where the filters are others.
+  ReportSource with(const std::vector<Filter>& wanted) const;
 
   std::string file() const { return store.database().name(); }
   /// The axes that have more than one value among the rows.
   std::vector<const QuantityColumn*> varied() const;
 };
-
-/// Texts with the points that each holds for, the most frequent first; texts that differ only in their numbers are one,
-/// with the ranges of these.
-std::string count_table(const std::string& what, const std::vector<std::string>& texts);
 
 /// A cell with its own unit.
 std::string shown_cell(const StudyRows& rows, std::size_t row, const QuantityColumn& column);

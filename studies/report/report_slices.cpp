@@ -17,8 +17,9 @@ FixedAxes fixed_at_middle(const ReportSource& source, const ReportOptions& optio
                           const std::vector<const QuantityColumn*>& axes) {
   FixedAxes fixed{options.filters, ""};
   for (const QuantityColumn* const axis : axes) {
-    const StudyRows rows(source.store, source.study.name, fixed.filters);
-    const std::set<Cell> values = rows.values(*axis);
+    const ReportSource left = source.with(fixed.filters);
+    const StudyRows& rows = left.rows;
+    const std::vector<Cell> values = rows.values(*axis);
     if (values.size() < 2 || source.definition.uncertain.contains(key_of(*axis))) continue;
     const Cell& middle = *std::next(values.begin(), static_cast<std::ptrdiff_t>(values.size() / 2));
     const auto* const number = std::get_if<double>(&middle);

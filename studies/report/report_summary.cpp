@@ -13,7 +13,7 @@ namespace {
 /// "speed from 1 mm/s to 10 m/s (60 values)", "load 10 kN/m, 20 kN/m, 40 kN/m"
 std::string axis_in_words(const ReportSource& source, const QuantityColumn& axis) {
   constexpr std::size_t few = 4;
-  const std::set<Cell> values = source.rows.values(axis);
+  const std::vector<Cell> values = source.rows.values(axis);
   const auto shown = [&](const Cell& cell) { return value_in_words(axis.quantity, cell, unit_in(source.rows, axis)); };
   const std::string name = in_words(axis.quantity.key);
   if (values.size() <= few || axis.type == "TEXT") return name + " " + joined(values, ", ", shown);

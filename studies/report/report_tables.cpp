@@ -154,7 +154,7 @@ std::string scene_section(const ReportSource& source) {
     if (!column.is_input) continue;
     const Quantity& q = column.quantity;
     const std::string key = in_words(q.key), symbol(symbol_beside_name(q)), meaning(q.meaning);
-    const std::set<Cell> values = source.rows.values(column);
+    const std::vector<Cell> values = source.rows.values(column);
     const auto shown = [&](const Cell& cell) { return told_in_short(q, cell, q.unit_for(body_at(source.rows, 0))); };
     if (values.size() > 1) {
       constexpr std::size_t few = 8;

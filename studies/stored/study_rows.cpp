@@ -32,6 +32,10 @@ struct BodyColumns {
   }
 };
 
+FormulaDefinitions formulas_of(ResultStore& store, const std::string& study) {
+  return definition_in(store.definition(study).value_or(""), store.database().name() + ": " + study).formulas;
+}
+
 }  // namespace
 
 std::vector<const QuantityColumn*> quantity_columns_of(const Database& database, const std::vector<Filter>& filters) {
@@ -54,32 +58,40 @@ std::vector<const QuantityColumn*> quantity_columns_of(const Database& database,
   return columns;
 }
 
-StudyRows::StudyRows(ResultStore& store, const std::string& study, const std::vector<Filter>& filters) {
-  Query query{.filters = filters, .sort = {"position"}};
-  columns_ = quantity_columns_of(store.database(), {{"study", Comparison::equal, study}});
-  query.filters.push_back({"study", Comparison::equal, study});
+StudyRows::StudyRows(ResultStore& store, const std::string& study, const std::vector<Filter>& filters)
+    : columns_(quantity_columns_of(store.database(), {{"study", Comparison::equal, study}})) {
   const bool named = column_names(store.database().connection(), "result").contains(std::string(variant_key));
   if (named) columns_.push_back(find_quantity_column(variant_key));
   const auto of_variants = columns_.size() - 1;
-  const std::string place = store.database().name() + ": " + study;
-  const FormulaDefinitions formulas = definition_in(store.definition(study).value_or(""), place).formulas;
-  for (const auto& [name, formula] : formulas) columns_.push_back(&derived_column(name, formula));
+  for (const auto& [name, formula] : formulas_of(store, study)) columns_.push_back(&derived_column(name, formula));
+  read(store, study, filters);
+  if (named && values(*columns_[of_variants]) == std::vector<Cell>{Cell()})  // no point is of a variant
+    columns_.erase(columns_.begin() + static_cast<std::ptrdiff_t>(of_variants));
+}
+
+StudyRows::StudyRows(const StudyRows& like, ResultStore& store, const std::string& study,
+                     const std::vector<Filter>& filters)
+    : columns_(like.columns_) {
+  read(store, study, filters);
+}
+
+void StudyRows::read(ResultStore& store, const std::string& study, const std::vector<Filter>& filters) {
+  const FormulaDefinitions formulas = formulas_of(store, study);
+  Query query{.filters = filters, .sort = {"position"}, .computed = computed_columns(formulas)};
+  query.filters.push_back({"study", Comparison::equal, study});
   convert_to_si(query.filters, formulas);
-  query.computed = computed_columns(formulas);
   for (const QuantityColumn* const column : columns_) query.columns.push_back(column->name);
   query.columns.emplace_back(study_key);
-  table_ = run_query(store.database(), query);
-  for (std::size_t i = 0; i < table_.columns.size(); ++i) places_[table_.columns[i]] = i;
-  if (table_.rows.empty()) {
-    const bool unit_tells = std::any_of(query.filters.begin(), query.filters.end(),
-                                        [](const Filter& filter) { return filter.per_metre.has_value(); });
-    throw std::invalid_argument(
-        place + ": " + (filters.empty() ? "no point is computed yet" : "no point matches") +
-        (unit_tells ? "; a value in N finds spheres and cylinders with a width, a value in N/m cylinders without width"
-                    : ""));
-  }
-  if (named && values(*columns_[of_variants]) == std::set<Cell>{Cell()})  // no point is of a variant
-    columns_.erase(columns_.begin() + static_cast<std::ptrdiff_t>(of_variants));
+  table_ = run_column_query(store.database(), query);
+  for (std::size_t i = 0; i < table_.names.size(); ++i) places_[table_.names[i]] = i;
+  if (table_.rows > 0) return;
+  const bool unit_tells = std::any_of(query.filters.begin(), query.filters.end(),
+                                      [](const Filter& filter) { return filter.per_metre.has_value(); });
+  throw std::invalid_argument(
+      store.database().name() + ": " + study + ": " +
+      (filters.empty() ? "no point is computed yet" : "no point matches") +
+      (unit_tells ? "; a value in N finds spheres and cylinders with a width, a value in N/m cylinders without width"
+                  : ""));
 }
 
 StudyRows::StudyRows(const std::vector<StudyRows>& studies) {
@@ -94,34 +106,33 @@ StudyRows::StudyRows(const std::vector<StudyRows>& studies) {
     }
   places_[std::string(study_key)] = columns_.size();
   columns_.push_back(find_quantity_column(study_key));
-  for (const QuantityColumn* const column : columns_) table_.columns.push_back(column->name);
-  for (const StudyRows& one : studies)
-    for (const std::vector<Cell>& row : one.table_.rows) {
-      std::vector<Cell>& cells = table_.rows.emplace_back();
-      for (const QuantityColumn* const column : columns_) {
-        const auto place = one.places_.find(column->name);
-        cells.push_back(place == one.places_.end() ? Cell() : row[place->second]);
-      }
+  for (const QuantityColumn* const column : columns_) {
+    table_.names.push_back(column->name);
+    CellColumn& cells = table_.columns.emplace_back();
+    for (const StudyRows& one : studies) {
+      const auto place = one.places_.find(column->name);
+      for (std::size_t row = 0; row < one.size(); ++row)
+        cells.add(place == one.places_.end() ? Cell() : one.table_.columns[place->second][row]);
     }
+  }
+  for (const StudyRows& one : studies) table_.rows += one.size();
 }
 
-const Cell& StudyRows::cell(std::size_t row, const Column& column) const {
+const CellColumn& StudyRows::cells(const Column& column) const {
   const auto place = places_.find(column.name);
   if (place == places_.end()) throw std::invalid_argument(column.name + ": no point of the study has this layer");
-  return table_.rows[row][place->second];
+  return table_.columns[place->second];
 }
 
-double StudyRows::number(std::size_t row, const Column& column) const {
-  const Cell& value = cell(row, column);
-  if (const auto* const count = std::get_if<std::int64_t>(&value)) return static_cast<double>(*count);
-  if (const auto* const number = std::get_if<double>(&value)) return *number;
-  return std::numeric_limits<double>::quiet_NaN();
-}
+Cell StudyRows::cell(std::size_t row, const Column& column) const { return cells(column)[row]; }
+
+double StudyRows::number(std::size_t row, const Column& column) const { return cells(column).number(row); }
 
 double StudyRows::number(std::size_t row, const char* key) const { return number(row, *find_quantity_column(key)); }
 
 std::string StudyRows::text(std::size_t row, const char* key) const {
-  const auto* const text = std::get_if<std::string>(&cell(row, *find_quantity_column(key)));
+  const Cell value = cell(row, *find_quantity_column(key));
+  const auto* const text = std::get_if<std::string>(&value);
   return text ? *text : std::string();
 }
 
@@ -129,16 +140,12 @@ bool StudyRows::converged(std::size_t row) const {
   return cell(row, *find_quantity_column("status")) == Cell(std::string(name_of(Status::converged)));
 }
 
-std::set<Cell> StudyRows::values(const Column& column) const {
-  std::set<Cell> values;
-  for (std::size_t row = 0; row < size(); ++row) values.insert(cell(row, column));
-  return values;
-}
+std::vector<Cell> StudyRows::values(const Column& column) const { return cells(column).values(); }
 
 std::optional<Cell> StudyRows::common(const Column& column) const {
-  const std::set<Cell> found = values(column);
-  if (found.size() != 1 || std::holds_alternative<std::monostate>(*found.begin())) return {};
-  return *found.begin();
+  const CellColumn& all = cells(column);
+  if (!all.uniform() || std::holds_alternative<std::monostate>(all[0])) return {};
+  return all[0];
 }
 
 const QuantityColumn& column_of(const std::string& key, const StudySummary& study, const StudyRows& rows,
@@ -176,6 +183,7 @@ Body body_at(const StudyRows& rows, std::size_t row) { return BodyColumns().at(r
 
 std::optional<Body> body_of_other_units(const StudyRows& rows) {
   const BodyColumns columns;
+  if (rows.values(columns.indenter).size() == 1 && rows.values(columns.width).size() == 1) return {};
   for (std::size_t row = 1; row < rows.size(); ++row)
     if (const Body body = columns.at(rows, row); body.per_metre() != columns.at(rows, row - 1).per_metre()) return body;
   return std::nullopt;

@@ -43,25 +43,30 @@ class StudyRows {
   /// @throws std::invalid_argument if there is none
   /// @throws std::runtime_error naming the file if the database fails
   StudyRows(ResultStore& store, const std::string& study, const std::vector<Filter>& filters = {});
+  /// Other rows of a study that is read already, with its columns.
+  StudyRows(const StudyRows& like, ResultStore& store, const std::string& study, const std::vector<Filter>& filters);
   /// Those of several studies, one after the other.
   /// @throws std::invalid_argument if two of them compute one number differently
   explicit StudyRows(const std::vector<StudyRows>& studies);
 
-  std::size_t size() const { return table_.rows.size(); }
+  std::size_t size() const { return table_.rows; }
   /// As quantity_columns_of, then the numbers that the study derives from them.
   const std::vector<const QuantityColumn*>& columns() const { return columns_; }
   /// @throws std::invalid_argument for an input of a layer that no row has
-  const Cell& cell(std::size_t row, const Column& column) const;
+  Cell cell(std::size_t row, const Column& column) const;
   double number(std::size_t row, const Column& column) const;  ///< NaN if absent
   double number(std::size_t row, const char* key) const;       ///< of an output
   std::string text(std::size_t row, const char* key) const;    ///< of an output; empty if absent
   bool converged(std::size_t row) const;
-  std::set<Cell> values(const Column& column) const;
+  std::vector<Cell> values(const Column& column) const;  ///< each once, in order
   /// The value that all rows share; none if they differ, or it is absent.
   std::optional<Cell> common(const Column& column) const;
 
  private:
-  Table table_;
+  void read(ResultStore& store, const std::string& study, const std::vector<Filter>& filters);
+  const CellColumn& cells(const Column& column) const;
+
+  ColumnTable table_;
   std::vector<const QuantityColumn*> columns_;
   std::map<std::string, std::size_t> places_;
 };
