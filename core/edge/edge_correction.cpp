@@ -139,16 +139,17 @@ double cells_on_half(const EdgeCurve& curve, const SurfaceGrid& grid) {
 }
 
 /// 1 where no memory of the materials at the contact is some cells long: p^2 is no parabola over the ring then.
-double smooth_over_ring(const PressedSphere& sphere) {
+/// @param contact  cells along the contact
+double smooth_over_ring(const PressedSphere& sphere, double contact) {
   constexpr double too_long = 0.2, too_short = 10, long_enough = 16;  // cells
-  constexpr double negligible = 0.1;                                  // part of the compliance
+  constexpr double negligible = 0.1;                                  // part of the compliance that the contact sees
   const CreepSpectrum creep = near_spectrum(sphere.model);
   double whole = creep.instantaneous, between = 0;
   for (const CreepSpectrum::Term& term : creep.terms) {
     const double cells = sphere.model.speed * term.time / sphere.half.spacing_x;
     const double resolved = smooth_step((cells - too_short) / (long_enough - too_short));
     const double as_elastic = smooth_step(2 - cells / too_long);
-    whole += term.compliance;
+    whole += term.compliance / (1 + std::pow(cells / contact, 2));
     between += term.compliance * (1 - std::max(resolved, as_elastic));
   }
   return smooth_step(1.5 - between / (negligible * whole));
@@ -187,7 +188,7 @@ EdgeCorrection edge_correction(const PressedSphere& sphere, const Vector& even_p
   const double allowed = of_change * std::abs(change) + of_whole * std::abs(resistance);
   const double agrees = smooth_step(1.5 - std::abs(change - before) / allowed);
   const double resolves = smooth_step((cells_on_half(curve, grid) - too_coarse) / (fine_enough - too_coarse));
-  return {change, agrees * resolves * smooth_over_ring(sphere)};
+  return {change, agrees * resolves * smooth_over_ring(sphere, 2 * cells_on_half(curve, grid))};
 }
 
 }  // namespace rollres

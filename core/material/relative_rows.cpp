@@ -117,7 +117,8 @@ Eigen::VectorXd nonnegative_moduli(const RelativeRows& rows, const std::vector<d
   Eigen::MatrixXd a(responses.rows(), responses.cols() + 1);
   a << responses, rows.wanted();
   if (a.rows() > a.cols()) a = OverdeterminedSystem(a).triangle();  // has the same least squares
-  const Eigen::VectorXd norms = a.leftCols(a.cols() - 1).colwise().norm();
+  Eigen::VectorXd norms = a.leftCols(a.cols() - 1).colwise().norm();
+  norms = (norms.array() > 0).select(norms, 1);  // a time far beyond the rows adds nothing to them
   return nonnegative_least_squares(a.leftCols(a.cols() - 1) * norms.cwiseInverse().asDiagonal(), a.col(a.cols() - 1))
       .cwiseQuotient(norms);
 }

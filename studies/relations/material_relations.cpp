@@ -98,7 +98,9 @@ RelatedPair term_unseen(Dice& dice, RollingScene scene) {
       layer->static_young_modulus.reset();
       break;
     }
-    default:
+    default:  // a memory of any length loses its part where a uniform pressure begins and ends
+      if (scene.indenter == Indenter::pressure && scene.pressure_distribution == PressureDistribution::uniform)
+        return {};
       break;
   }
   longer.relaxation_moduli.push_back(modulus);
