@@ -164,6 +164,7 @@ ColumnTable run_column_query(const Database& database, const Query& query) {
   return naming(database.name(), [&] {
     std::vector<Cell> bound;
     const std::string sql = sql_of(database.connection(), query, bound);
+    const LargeCache cache(database.connection());
     ColumnTable table = columns_of_rows(database.connection(), sql, bound);
     if (!query.columns.empty()) table.names = query.columns;
     return table;

@@ -70,23 +70,6 @@ StudySummary read_summary(SQLite::Statement& row) {
           row.getColumn(6).getString(), row.getColumn(7).getString(),        row.getColumn(8).getString()};
 }
 
-/// While it lives, 100 MB of pages are kept in memory: pages of an index to whose random places rows go, or at which
-/// they are looked up, are then written and read once.
-class LargeCache {
- public:
-  explicit LargeCache(SQLite::Database& connection)
-      : connection_(connection), usual_(connection.execAndGet("PRAGMA cache_size").getInt()) {
-    connection.exec("PRAGMA cache_size = -100000");
-  }
-  ~LargeCache() { connection_.tryExec("PRAGMA cache_size = " + std::to_string(usual_)); }
-  LargeCache(const LargeCache&) = delete;
-  LargeCache& operator=(const LargeCache&) = delete;
-
- private:
-  SQLite::Database& connection_;
-  int usual_;
-};
-
 }  // namespace
 
 struct ResultStore::Parts {
