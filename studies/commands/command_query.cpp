@@ -103,11 +103,15 @@ void fit_to_terminal(Table& table, const std::vector<std::string>& droppable, Se
   session.err << ": --columns chooses, --format csv has all\n";
 }
 
+Query question_of(const QueryArguments& arguments) {
+  return {.filters = filters_of(arguments),
+          .columns = split_at_commas(arguments.columns),
+          .sort = split_at_commas(arguments.sort),
+          .limit = arguments.limit};
+}
+
 Table rows(const QueryArguments& arguments, const Database& database, Session& session) {
-  Query question{.filters = filters_of(arguments),
-                 .columns = split_at_commas(arguments.columns),
-                 .sort = split_at_commas(arguments.sort),
-                 .limit = arguments.limit};
+  Query question = question_of(arguments);
   const bool chosen = question.columns.empty() && is_for_people(arguments);
   std::vector<std::string> droppable;
   if (chosen) {
@@ -161,21 +165,33 @@ void query(const QueryArguments& arguments, Session& session) {
     session.err << file << ": study " << name << " is defined otherwise and comes as " << here << '\n';
   Database database = open_database(gathered.file(), Access::read);
   database.stop_when(signal.requested());
-  const Table table = arguments.sql    ? run_sql(database, *arguments.sql)
-                      : arguments.fits ? fits(arguments, database, session)
-                      : grouped        ? groups(arguments, database)
-                                       : rows(arguments, database, session);
-  if (arguments.format == workbook_format) {
-    write_workbook(arguments.out, table);
-    session.out << arguments.out << ": " << table.rows.size() << " rows\n";
-  } else if (arguments.out.empty()) {
-    write_table(session.out, table, arguments.format);
-  } else {
+  std::size_t found = 0;
+  const auto deliver = [&](std::size_t count, const auto& write) {
+    found = count;
+    if (arguments.out.empty()) return write(session.out);
     std::ostringstream text;
-    write_table(text, table, arguments.format);
-    write_file(arguments.out, text.str());
+    write(text);
+    write_file(arguments.out, std::move(text).str());
+  };
+  if (arguments.format == "csv" && !arguments.sql && !arguments.fits && !grouped) {  // of any number of rows
+    Query question = question_of(arguments);
+    const FormulaDefinitions formulas = add_derived(database, question);
+    const ColumnTable table = run_column_query(database, question);
+    deliver(table.rows, [&](std::ostream& out) { write_csv(out, table); });
+  } else {
+    const Table table = arguments.sql    ? run_sql(database, *arguments.sql)
+                        : arguments.fits ? fits(arguments, database, session)
+                        : grouped        ? groups(arguments, database)
+                                         : rows(arguments, database, session);
+    if (arguments.format == workbook_format) {
+      write_workbook(arguments.out, table);
+      session.out << arguments.out << ": " << table.rows.size() << " rows\n";
+      found = table.rows.size();
+    } else {
+      deliver(table.rows.size(), [&](std::ostream& out) { write_table(out, table, arguments.format); });
+    }
   }
-  if (table.rows.empty()) {
+  if (found == 0) {
     session.err << joined(arguments.databases) << ": nothing matches\n";
     session.status = ExitStatus::no_answer;
   }

@@ -44,13 +44,13 @@ Json provenance_of(ResultStore& store, const StudySummary& study) {
 }
 
 /// All columns of the study's rows, and after them the inputs of further layers.
-Table results_of(const ResultStore& store, const std::string& study) {
+ColumnTable results_of(const ResultStore& store, const std::string& study) {
   Query query{.filters = {{"study", Comparison::equal, study}}, .limit = 0};
   query.columns = run_query(store.database(), query).columns;
   query.limit.reset();
   for (const QuantityColumn* const column : quantity_columns_of(store.database(), query.filters))
     if (layer_key(column->name)) query.columns.push_back(column->name);
-  return run_query(store.database(), query);
+  return run_column_query(store.database(), query);
 }
 
 }  // namespace

@@ -136,23 +136,41 @@ void write_markdown(std::ostream& out, const Table& table) {
   for (std::size_t i = 1; i < worded.lines.size(); ++i) write_line(worded.lines[i]);
 }
 
-void write_csv(std::ostream& out, const Table& table) {
-  auto write_line = [&](const auto& cells, auto&& text_of) {
-    const char* comma = "";
-    for (const auto& cell : cells) {
-      out << comma << text_of(cell);
-      comma = ",";
-    }
+namespace {
+
+template <class CellAt>
+void write_csv_of(std::ostream& out, const std::vector<std::string>& names, std::size_t rows, const CellAt& cell_at) {
+  for (std::size_t column = 0; column < names.size(); ++column) out << (column > 0 ? "," : "") << names[column];
+  out << '\n';
+  for (std::size_t row = 0; row < rows; ++row) {
+    for (std::size_t column = 0; column < names.size(); ++column)
+      out << (column > 0 ? "," : "") << csv_cell(cell_at(row, column));
     out << '\n';
-  };
-  write_line(table.columns, [](const std::string& name) { return name; });
-  for (const auto& row : table.rows) write_line(row, csv_cell);
+  }
+}
+
+}  // namespace
+
+void write_csv(std::ostream& out, const Table& table) {
+  write_csv_of(out, table.columns, table.rows.size(),
+               [&](std::size_t row, std::size_t column) -> const Cell& { return table.rows[row][column]; });
+}
+
+void write_csv(std::ostream& out, const ColumnTable& table) {
+  write_csv_of(out, table.names, table.rows,
+               [&](std::size_t row, std::size_t column) { return table.columns[column][row]; });
 }
 
 std::string csv_of(const Table& table) {
   std::ostringstream text;
   write_csv(text, table);
-  return text.str();
+  return std::move(text).str();
+}
+
+std::string csv_of(const ColumnTable& table) {
+  std::ostringstream text;
+  write_csv(text, table);
+  return std::move(text).str();
 }
 
 void write_json(std::ostream& out, const Table& table) {

@@ -8,7 +8,7 @@
 #include <string>
 #include <string_view>
 
-#include "db/queries/table.hpp"
+#include "db/queries/column_table.hpp"
 
 namespace rollres {
 
@@ -25,8 +25,11 @@ void write_markdown(std::ostream& out, const Table& table);
 /// RFC 4180 with a line of names; all digits; empty where something is absent, "inf" for an infinite number.
 void write_csv(std::ostream& out, const Table& table);
 
+void write_csv(std::ostream& out, const ColumnTable& table);
+
 /// The same as a text.
 std::string csv_of(const Table& table);
+std::string csv_of(const ColumnTable& table);
 
 /// An array with one object for each row; all digits; null where something is absent, "infinite" for an infinite
 /// number.
