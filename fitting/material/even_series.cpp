@@ -43,6 +43,13 @@ std::vector<double> even_times(const std::vector<MeasuredModulus>& data, const T
   return all;
 }
 
+Eigen::VectorXd measured_values(const std::vector<MeasuredModulus>& data) {
+  Eigen::VectorXd values(2 * std::ssize(data));
+  for (Eigen::Index i = 0; i < std::ssize(data); ++i)
+    values.segment<2>(2 * i) << data[static_cast<std::size_t>(i)].storage, data[static_cast<std::size_t>(i)].loss;
+  return values;
+}
+
 Eigen::VectorXd deviations_of(const std::vector<MeasuredModulus>& data) {
   Eigen::VectorXd deviations(2 * std::ssize(data));
   for (Eigen::Index i = 0; i < std::ssize(data); ++i)
@@ -75,10 +82,7 @@ EvenSeries series_at_times(const std::vector<MeasuredModulus>& data, const Tempe
   const Eigen::Index terms = std::ssize(times);
   const Eigen::VectorXd weights = deviations_of(data).cwiseInverse();
   const Eigen::MatrixXd a = weights.asDiagonal() * unit_moduli(data, shift, times);
-  Eigen::VectorXd b(2 * std::ssize(data));
-  for (Eigen::Index i = 0; i < std::ssize(data); ++i)
-    b.segment<2>(2 * i) << data[static_cast<std::size_t>(i)].storage, data[static_cast<std::size_t>(i)].loss;
-  b.array() *= weights.array();
+  const Eigen::VectorXd b = weights.cwiseProduct(measured_values(data));
   const Eigen::VectorXd moduli = nonnegative_least_squares(a, b);
   EvenSeries answer{{moduli[0], {}}, (a * moduli - b).squaredNorm(), static_cast<int>(terms)};
   for (Eigen::Index j = 0; j < terms; ++j)

@@ -30,6 +30,7 @@ std::vector<double> even_times(const std::vector<MeasuredModulus>& data, const T
                                double beyond = 0);
 
 /// Of the rows storage and loss in turn, as in all that follows [Pa].
+Eigen::VectorXd measured_values(const std::vector<MeasuredModulus>& data);
 Eigen::VectorXd deviations_of(const std::vector<MeasuredModulus>& data);
 
 /// G* at the rows, divided by b_T: in the first column that of a modulus at rest of 1 Pa, then of each time with a

@@ -60,10 +60,11 @@ Slopes series_slopes(const std::vector<MeasuredModulus>& data, const PronySeries
   const Eigen::Index moduli = units.cols();
   for (Eigen::Index j = 0; j < moduli; ++j)
     slopes.derivatives.col(j) = problem.parameters[static_cast<std::size_t>(j)].variable.size * units.col(j);
-  slopes.derivatives.rightCols(columns - moduli) =
-      shift_slopes(data, series_at(series, point), options,
-                   std::span(problem.parameters).last(static_cast<std::size_t>(columns - moduli)),
-                   std::span(point).last(static_cast<std::size_t>(columns - moduli)));
+  if (moduli < columns)
+    slopes.derivatives.rightCols(columns - moduli) =
+        shift_slopes(data, series_at(series, point), options,
+                     std::span(problem.parameters).last(static_cast<std::size_t>(columns - moduli)),
+                     std::span(point).last(static_cast<std::size_t>(columns - moduli)));
   return slopes;
 }
 

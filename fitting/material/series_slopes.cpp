@@ -114,17 +114,12 @@ Eigen::MatrixXd following_slopes(const std::vector<MeasuredModulus>& data, const
                                  const Eigen::VectorXd& moduli, const MaterialFitOptions& options,
                                  std::span<const FitParameter> constants, std::span<const double> at) {
   const Eigen::VectorXd weights = deviations_of(data).cwiseInverse();
-  Eigen::VectorXd left(moduli.size());
-  for (Eigen::Index i = 0; i < std::ssize(data); ++i) {
-    const MeasuredModulus& row = data[static_cast<std::size_t>(i)];
-    left.segment<2>(2 * i) << row.storage - moduli[2 * i], row.loss - moduli[2 * i + 1];
-  }
   const TemperatureShift here = shift_at(options.shift, FitPoint(at.begin(), at.end()), options.free_shifts);
   const Eigen::MatrixXd units = weights.asDiagonal() * modulus_slopes(data, here, series);
   const OverdeterminedSystem system(units);
   const Eigen::MatrixXd inverse = inverse_of_upper(system.triangle());
-  const ShiftSlopes slopes =
-      slopes_by_shift(data, series, options, constants, at, SeriesTimes::even, weights.cwiseAbs2().cwiseProduct(left));
+  const ShiftSlopes slopes = slopes_by_shift(data, series, options, constants, at, SeriesTimes::even,
+                                             weights.cwiseAbs2().cwiseProduct(measured_values(data) - moduli));
   Eigen::MatrixXd following = weights.asDiagonal() * slopes.all;
   for (auto slope : following.colwise()) slope -= units * system.solve(slope);
   following += units * (inverse * (inverse.transpose() * slopes.of_unit));

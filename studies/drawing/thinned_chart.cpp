@@ -92,22 +92,25 @@ std::size_t points_of(const ChartRequest& request) {
 
 }  // namespace
 
-ChartRequest thinned(ChartRequest request) {
+ChartRequest thinned(const ChartRequest& request) {
   const std::size_t all = points_of(request);
   if (all <= most_points) return request;
   constexpr int along_line = 1000, along_marks = 240, up_marks = 160;
   const Steps line(request, request.x, &ChartPoint::x, along_line),
       along(request, request.x, &ChartPoint::x, along_marks), up(request, request.y, &ChartPoint::y, up_marks);
-  for (ChartCurve& curve : request.curves) {
+  ChartRequest drawn = request;
+  for (ChartCurve& curve : drawn.curves) {
     if (curve.points.empty()) continue;
     std::vector<ChartPoint> points;
     for (const std::size_t place : request.lines&& curve.line ? of_line(curve, line) : of_marks(curve, along, up))
       points.push_back(curve.points[place]);
     curve.points = std::move(points);
   }
-  const std::string told = "drawn are " + std::to_string(points_of(request)) + " of " + std::to_string(all) + " points";
-  request.subtitle += (request.subtitle.empty() ? "" : ", ") + told;
-  return request;
+  const std::size_t left = points_of(drawn);
+  if (2 * left > all) return request;  // as where a line runs to and fro
+  drawn.subtitle += (drawn.subtitle.empty() ? "" : ", ") + ("drawn are " + std::to_string(left)) + " of " +
+                    std::to_string(all) + " points";
+  return drawn;
 }
 
 }  // namespace rollres

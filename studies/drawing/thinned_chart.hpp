@@ -6,9 +6,10 @@
 
 namespace rollres {
 
-/// The same picture of fewer points, which the subtitle says, where a chart has more than 4,000. Of a curve each of a
-/// thousand steps along x keeps its first, last, lowest and highest point, and one of each kind that the line does not
-/// pass through; of points without lines those that lie in one place remain one, and the outermost remain.
-ChartRequest thinned(ChartRequest request);
+/// The same picture of half as many points or fewer, which the subtitle says, where a chart has more than 4,000. Of a
+/// curve each of a thousand steps along x keeps its first, last, lowest and highest point, and one of each kind that
+/// the line does not pass through; of points without lines those that lie in one place remain one, and the outermost
+/// remain.
+ChartRequest thinned(const ChartRequest& request);
 
 }  // namespace rollres
