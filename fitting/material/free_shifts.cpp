@@ -158,6 +158,30 @@ TemperatureShift start_of_free_shifts(const std::vector<MeasuredModulus>& data, 
   return starts[best.second];
 }
 
+std::vector<KnownBefore> even_steps(const TemperatureShift& shift, std::size_t before, double deviation) {
+  constexpr double of_mean_step = 0.3, of_vertical = 0.02;  // decades
+  const std::vector<double>& temperatures = shift.table.temperatures;
+  const std::size_t count = temperatures.size(), reference = nearest_step(temperatures, shift.reference);
+  const double whole = std::log10(shift.table.factors.front() / shift.table.factors.back());
+  std::vector<KnownBefore> known;
+  const auto add = [&](std::size_t first, double change) {
+    for (std::size_t i = 1; i + 1 < count; ++i) {
+      const double below = temperatures[i] - temperatures[i - 1], above = temperatures[i + 1] - temperatures[i],
+                   mean = 0.5 * (below + above);
+      KnownBefore& one = known.emplace_back();
+      one.deviation = change / deviation;
+      one.of = "even steps of the shift";
+      const double weights[] = {mean / below, -mean / below - mean / above, mean / above};
+      for (std::size_t k = 0; k < 3; ++k)
+        if (const std::size_t place = i - 1 + k; place != reference)
+          one.parts.push_back({first + place - (place > reference ? 1 : 0), false, weights[k]});
+    }
+  };
+  add(before, of_mean_step * std::max(0.1, std::abs(whole) / static_cast<double>(count - 1)));
+  if (!shift.table.moduli.empty()) add(before + count - 1, of_vertical);
+  return known;
+}
+
 std::string LawThrough::in_words() const {
   return message_text<2>(name, " through the shifts (", constants, ") misses them by ", missed, " decades (rms)");
 }

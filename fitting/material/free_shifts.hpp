@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "fitting/fit/measured_terms.hpp"
 #include "fitting/material/material_fit.hpp"
 
 namespace rollres {
@@ -18,6 +19,12 @@ std::vector<double> steps_of_temperature(const std::vector<MeasuredModulus>& dat
 /// or of what joins each temperature to its neighbour by the least squares of log G' and log G".
 /// @param options  their shift has a table of the temperatures
 TemperatureShift start_of_free_shifts(const std::vector<MeasuredModulus>& data, const MaterialFitOptions& options);
+
+/// That the steps of log10 a_T, and of log10 b_T if the table has them, from one temperature to the next change little:
+/// by three tenths of the mean step, and by 0.02. By this the shift of least squares is looked for among those that
+/// rows tell equally well; the fit that follows knows nothing of it.
+/// @param before  parameters before those of the shift   @param deviation  of the rows, in theirs
+std::vector<KnownBefore> even_steps(const TemperatureShift& shift, std::size_t before, double deviation);
 
 /// A law fitted to a table of shifts.
 struct LawThrough {

@@ -11,6 +11,7 @@
 #include "core/material/master_curve.hpp"
 #include "core/messages/message_text.hpp"
 #include "fitting/material/even_series.hpp"
+#include "fitting/material/free_shifts.hpp"
 #include "fitting/material/material_problem.hpp"
 #include "fitting/material/series_slopes.hpp"
 
@@ -280,7 +281,11 @@ TemperatureShift best_shift(const std::vector<MeasuredModulus>& data, const Mate
     basis = automatic_series(data, shift_of(end), options.deviations_known);
     if (basis.times == times) break;
     times = basis.times;
-    const Descent found = descend(problem, end, {.tolerance = 1e-4, .stop = options.options.stop});
+    const double freedom = std::max(1.0, 2 * static_cast<double>(data.size()) - basis.moduli()),
+                 deviation = options.deviations_known ? 1 : std::sqrt(basis.squares / freedom);
+    const FitProblem preferring =
+        options.free_shifts && deviation > 0 ? with_priors(problem, even_steps(shift_of(end), 0, deviation)) : problem;
+    const Descent found = descend(preferring, end, {.tolerance = 1e-4, .stop = options.options.stop});
     if (!found.found()) break;
     end = found.end;
   }
