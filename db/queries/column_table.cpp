@@ -13,11 +13,7 @@ bool is_count_or_text(const Cell& cell) {
   return std::holds_alternative<std::int64_t>(cell) || std::holds_alternative<std::string>(cell);
 }
 
-double number_of(const Cell& cell) {
-  if (const auto* const count = std::get_if<std::int64_t>(&cell)) return static_cast<double>(*count);
-  if (const auto* const number = std::get_if<double>(&cell)) return *number;
-  return std::numeric_limits<double>::quiet_NaN();
-}
+double number_of(const Cell& cell) { return number_in(cell).value_or(std::numeric_limits<double>::quiet_NaN()); }
 
 Cell cell_of(double number) { return std::isnan(number) ? Cell() : Cell(number); }
 

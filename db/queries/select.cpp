@@ -22,49 +22,48 @@ class Rows {
  public:
   Rows(SQLite::Database& connection, const std::string& sql, const std::vector<Cell>& bound)
       : handle_(connection.getHandle()) {
-    require(sqlite3_prepare_v2(handle_, sql.c_str(), static_cast<int>(sql.size()), &statement_, nullptr), SQLITE_OK);
+    sqlite3_stmt* prepared = nullptr;
+    require(sqlite3_prepare_v2(handle_, sql.c_str(), static_cast<int>(sql.size()), &prepared, nullptr), SQLITE_OK);
+    statement_.reset(prepared);
     int index = 0;
     for (const Cell& value : bound) {
       ++index;
       if (const auto* count = std::get_if<std::int64_t>(&value))
-        require(sqlite3_bind_int64(statement_, index, *count), SQLITE_OK);
+        require(sqlite3_bind_int64(statement_.get(), index, *count), SQLITE_OK);
       else if (const auto* number = std::get_if<double>(&value))
-        require(sqlite3_bind_double(statement_, index, *number), SQLITE_OK);
+        require(sqlite3_bind_double(statement_.get(), index, *number), SQLITE_OK);
       else
         bind_text(index, std::get<std::string>(value));
     }
   }
-  Rows(const Rows&) = delete;
-  Rows& operator=(const Rows&) = delete;
-  ~Rows() { sqlite3_finalize(statement_); }
 
-  int columns() const { return sqlite3_column_count(statement_); }
-  std::string name(int column) const { return sqlite3_column_name(statement_, column); }
+  int columns() const { return sqlite3_column_count(statement_.get()); }
+  std::string name(int column) const { return sqlite3_column_name(statement_.get(), column); }
   bool next() {
-    const int code = sqlite3_step(statement_);
+    const int code = sqlite3_step(statement_.get());
     if (code != SQLITE_DONE) require(code, SQLITE_ROW);
     return code == SQLITE_ROW;
   }
   Cell cell(int column) const {
-    switch (sqlite3_column_type(statement_, column)) {
+    switch (sqlite3_column_type(statement_.get(), column)) {
       case SQLITE_NULL:
         return std::monostate{};
       case SQLITE_INTEGER:
-        return std::int64_t{sqlite3_column_int64(statement_, column)};
+        return std::int64_t{sqlite3_column_int64(statement_.get(), column)};
       case SQLITE_FLOAT:
-        return sqlite3_column_double(statement_, column);
+        return sqlite3_column_double(statement_.get(), column);
       case SQLITE_BLOB:
-        return std::to_string(sqlite3_column_bytes(statement_, column)) + " bytes";
+        return std::to_string(sqlite3_column_bytes(statement_.get(), column)) + " bytes";
       default: {
-        const auto* const text = reinterpret_cast<const char*>(sqlite3_column_text(statement_, column));
-        return std::string(text, static_cast<std::size_t>(sqlite3_column_bytes(statement_, column)));
+        const auto* const text = reinterpret_cast<const char*>(sqlite3_column_text(statement_.get(), column));
+        return std::string(text, static_cast<std::size_t>(sqlite3_column_bytes(statement_.get(), column)));
       }
     }
   }
 
  private:
   void bind_text(int index, const std::string& text) {
-    require(sqlite3_bind_text(statement_, index, text.c_str(), static_cast<int>(text.size()), SQLITE_TRANSIENT),
+    require(sqlite3_bind_text(statement_.get(), index, text.c_str(), static_cast<int>(text.size()), SQLITE_TRANSIENT),
             SQLITE_OK);
   }
   void require(int code, int wanted) const {
@@ -72,7 +71,7 @@ class Rows {
   }
 
   sqlite3* handle_;
-  sqlite3_stmt* statement_ = nullptr;
+  std::unique_ptr<sqlite3_stmt, decltype(&sqlite3_finalize)> statement_{nullptr, sqlite3_finalize};
 };
 
 bool is_number(sqlite3_value* value) {

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cassert>
 #include <cmath>
+#include <utility>
 
 #include "core/numerics/finite_difference.hpp"
 
@@ -20,6 +21,12 @@ std::vector<double> offsets_inside(const Variable& variable, double from, double
 }
 
 }  // namespace
+
+Slopes exact_slopes(Eigen::MatrixXd derivatives, Eigen::VectorXd noise) {
+  const Eigen::Index rows = derivatives.rows(), columns = derivatives.cols();
+  return {std::move(derivatives), Eigen::MatrixXd::Zero(rows, columns), std::move(noise),
+          Eigen::VectorXd::Constant(columns, RollingSolution::absent)};
+}
 
 double usual_loss_scale(Loss loss) { return loss == Loss::huber ? 1.345 : loss == Loss::cauchy ? 2.385 : 1; }
 

@@ -64,6 +64,9 @@ struct Slopes {
   bool found() const { return reason.empty(); }
 };
 
+/// Derivatives that no difference gave: without error and without a step.
+Slopes exact_slopes(Eigen::MatrixXd derivatives, Eigen::VectorXd noise);
+
 /// What a residual r (in its deviation) adds to the sum of squares: r^2; or 2 c |r| - c^2 beyond c (Huber);
 /// or c^2 ln(1 + r^2/c^2) (Cauchy).
 enum class Loss { none, huber, cauchy };

@@ -23,8 +23,8 @@ TemperatureShift start_of_free_shifts(const std::vector<MeasuredModulus>& data, 
 /// That the steps of log10 a_T, and of log10 b_T if the table has them, from one temperature to the next change little:
 /// by three tenths of the mean step, and by 0.02. By this the shift of least squares is looked for among those that
 /// rows tell equally well; the fit that follows knows nothing of it.
-/// @param before  parameters before those of the shift   @param deviation  of the rows, in theirs
-std::vector<KnownBefore> even_steps(const TemperatureShift& shift, std::size_t before, double deviation);
+/// The parameters are those of the shift alone. @param deviation  of the rows, in theirs
+std::vector<KnownBefore> even_steps(const TemperatureShift& shift, double deviation);
 
 /// A law fitted to a table of shifts.
 struct LawThrough {

@@ -54,19 +54,18 @@ Slopes series_slopes(const std::vector<MeasuredModulus>& data, const PronySeries
                      const Prediction& prediction) {
   constexpr double rounding = 1e-15;
   const Eigen::Index rows = prediction.values.size(), columns = std::ssize(problem.parameters);
-  Slopes slopes{Eigen::MatrixXd::Zero(rows, columns), Eigen::MatrixXd::Zero(rows, columns),
-                rounding * prediction.values.cwiseAbs(), Eigen::VectorXd::Constant(columns, RollingSolution::absent)};
+  Eigen::MatrixXd slopes(rows, columns);
   const TemperatureShift here = shift_at(options.shift, point, options.free_shifts);
   const Eigen::MatrixXd units = modulus_slopes(data, here, series);
   const Eigen::Index moduli = units.cols();
   for (Eigen::Index j = 0; j < moduli; ++j)
-    slopes.derivatives.col(j) = problem.parameters[static_cast<std::size_t>(j)].variable.size * units.col(j);
+    slopes.col(j) = problem.parameters[static_cast<std::size_t>(j)].variable.size * units.col(j);
   if (moduli < columns)
-    slopes.derivatives.rightCols(columns - moduli) =
+    slopes.rightCols(columns - moduli) =
         shift_slopes(data, series_at(series, point), options,
                      std::span(problem.parameters).last(static_cast<std::size_t>(columns - moduli)),
                      std::span(point).last(static_cast<std::size_t>(columns - moduli)));
-  return slopes;
+  return exact_slopes(std::move(slopes), rounding * prediction.values.cwiseAbs());
 }
 
 /// The interval of a linear modulus: that of the slopes, cut off at 0.
@@ -270,11 +269,8 @@ TemperatureShift best_shift(const std::vector<MeasuredModulus>& data, const Mate
       return differences(problem, point, prediction, step, rounding * prediction.values.cwiseAbs());
     }
     const PronySeries series = even_series(data, shift_of(point), basis.times, basis.beyond).series;
-    Slopes slopes{following_slopes(data, series, prediction.values, options, problem.parameters, point), {}, {}, {}};
-    slopes.errors = Eigen::MatrixXd::Zero(slopes.derivatives.rows(), slopes.derivatives.cols());
-    slopes.noise = Eigen::VectorXd::Zero(slopes.derivatives.rows());
-    slopes.steps = Eigen::VectorXd::Constant(slopes.derivatives.cols(), RollingSolution::absent);
-    return slopes;
+    return exact_slopes(following_slopes(data, series, prediction.values, options, problem.parameters, point),
+                        Eigen::VectorXd::Zero(prediction.values.size()));
   };
   constexpr int most_rounds = 4;  // as rows join better, they ask for other times
   for (int round = 0, times = 0; round < most_rounds; ++round) {
@@ -284,7 +280,7 @@ TemperatureShift best_shift(const std::vector<MeasuredModulus>& data, const Mate
     const double freedom = std::max(1.0, 2 * static_cast<double>(data.size()) - basis.moduli()),
                  deviation = options.deviations_known ? 1 : std::sqrt(basis.squares / freedom);
     const FitProblem preferring =
-        options.free_shifts && deviation > 0 ? with_priors(problem, even_steps(shift_of(end), 0, deviation)) : problem;
+        options.free_shifts && deviation > 0 ? with_priors(problem, even_steps(shift_of(end), deviation)) : problem;
     const Descent found = descend(preferring, end, {.tolerance = 1e-4, .stop = options.options.stop});
     if (!found.found()) break;
     end = found.end;

@@ -45,8 +45,7 @@ std::string unit_of_input(std::string_view key, const RollingScene& scene) {
 class AxisTimes {
  public:
   double operator()(const Cell& cell) {
-    if (const auto* const number = std::get_if<double>(&cell)) return *number;
-    if (const auto* const count = std::get_if<std::int64_t>(&cell)) return static_cast<double>(*count);
+    if (const auto number = number_in(cell)) return *number;
     const std::string name = value_in_words(cell, "");
     const auto found = std::find(names_.begin(), names_.end(), name);
     const auto place = found - names_.begin();

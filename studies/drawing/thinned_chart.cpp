@@ -6,61 +6,33 @@
 #include <tuple>
 #include <utility>
 
+#include "studies/drawing/chart_frame.hpp"
+
 namespace rollres {
 
 namespace {
 
 constexpr std::size_t most_points = 4000;
 
-/// Places along an axis in equal steps of the picture.
-class Steps {
- public:
-  Steps(const ChartRequest& request, const ChartAxis& axis, double ChartPoint::*value, int count)
-      : value_(value), count_(count) {
-    bool positive = axis.logarithmic;
-    double least = INFINITY, greatest = -INFINITY;
-    const auto each = [&](const auto& act) {
-      for (const ChartCurve& curve : request.curves)
-        for (const ChartPoint& point : curve.points)
-          if (std::isfinite(point.*value)) act(point.*value);
-    };
-    each([&](double number) { positive = positive && number > 0; });
-    logarithmic_ = positive;
-    each([&](double number) {
-      least = std::min(least, drawn(number));
-      greatest = std::max(greatest, drawn(number));
-    });
-    from_ = least;
-    width_ = greatest > least ? greatest - least : 1;
-  }
-
-  int operator()(const ChartPoint& point) const {
-    const double number = point.*value_;
-    return std::isfinite(number)
-               ? std::clamp(static_cast<int>(count_ * (drawn(number) - from_) / width_), 0, count_ - 1)
-               : -1;
-  }
-
- private:
-  double drawn(double number) const { return logarithmic_ ? std::log(number) : number; }
-
-  double ChartPoint::*value_;
-  int count_;
-  bool logarithmic_ = false;
-  double from_ = 0, width_ = 1;
-};
+/// In which of so many equal steps of an axis a number lies; -1 if it has no place there.
+int step_of(double number, const Span& axis, int count) {
+  const double place = axis.fraction(number);
+  return std::isfinite(place) ? std::min(static_cast<int>(count * std::clamp(place, 0.0, 1.0)), count - 1) : -1;
+}
 
 /// How a point is drawn: joined by the line, as a mark alone, as a cross, not at all.
 int kind_of(const ChartPoint& point) { return point.joined() ? 0 : point.drawn() ? 1 : point.converged ? 2 : 3; }
 
 /// Places in the curve that are kept, in its order.
-std::set<std::size_t> of_line(const ChartCurve& curve, const Steps& along) {
+std::set<std::size_t> of_line(const ChartCurve& curve, const Span& along) {
+  constexpr int steps = 1000;
   std::set<std::size_t> kept;
   const std::vector<ChartPoint>& points = curve.points;
   for (std::size_t begin = 0, end = 0; begin < points.size(); begin = end) {
-    const int step = along(points[begin]), kind = kind_of(points[begin]);
+    const int step = step_of(points[begin].x, along, steps), kind = kind_of(points[begin]);
     std::size_t lowest = begin, highest = begin;
-    for (end = begin; end < points.size() && along(points[end]) == step && kind_of(points[end]) == kind; ++end) {
+    for (end = begin;
+         end < points.size() && step_of(points[end].x, along, steps) == step && kind_of(points[end]) == kind; ++end) {
       if (points[end].y < points[lowest].y) lowest = end;
       if (points[end].y > points[highest].y) highest = end;
     }
@@ -69,12 +41,15 @@ std::set<std::size_t> of_line(const ChartCurve& curve, const Steps& along) {
   return kept;
 }
 
-std::set<std::size_t> of_marks(const ChartCurve& curve, const Steps& along, const Steps& up) {
+std::set<std::size_t> of_marks(const ChartCurve& curve, const ChartSpans& axes) {
+  constexpr int along = 240, up = 160;
   std::set<std::size_t> kept;
   std::set<std::tuple<int, int, int>> taken;
   const std::vector<ChartPoint>& points = curve.points;
   for (std::size_t i = 0; i < points.size(); ++i)
-    if (taken.insert({along(points[i]), up(points[i]), kind_of(points[i])}).second) kept.insert(i);
+    if (taken.insert({step_of(points[i].x, axes.x, along), step_of(points[i].y, axes.y, up), kind_of(points[i])})
+            .second)
+      kept.insert(i);
   for (double ChartPoint::*const value : {&ChartPoint::x, &ChartPoint::y}) {
     const auto [least, greatest] = std::minmax_element(
         points.begin(), points.end(), [&](const auto& one, const auto& other) { return one.*value < other.*value; });
@@ -95,14 +70,12 @@ std::size_t points_of(const ChartRequest& request) {
 ChartRequest thinned(const ChartRequest& request) {
   const std::size_t all = points_of(request);
   if (all <= most_points) return request;
-  constexpr int along_line = 1000, along_marks = 240, up_marks = 160;
-  const Steps line(request, request.x, &ChartPoint::x, along_line),
-      along(request, request.x, &ChartPoint::x, along_marks), up(request, request.y, &ChartPoint::y, up_marks);
+  const ChartSpans axes = chart_spans(request);
   ChartRequest drawn = request;
   for (ChartCurve& curve : drawn.curves) {
     if (curve.points.empty()) continue;
     std::vector<ChartPoint> points;
-    for (const std::size_t place : request.lines&& curve.line ? of_line(curve, line) : of_marks(curve, along, up))
+    for (const std::size_t place : (request.lines && curve.line) ? of_line(curve, axes.x) : of_marks(curve, axes))
       points.push_back(curve.points[place]);
     curve.points = std::move(points);
   }

@@ -22,12 +22,6 @@ std::string identity(const Cell& cell) {
   return "";
 }
 
-std::optional<double> number_in(const Cell& cell) {
-  if (const auto* const count = std::get_if<std::int64_t>(&cell)) return static_cast<double>(*count);
-  if (const auto* const number = std::get_if<double>(&cell)) return *number;
-  return std::nullopt;
-}
-
 /// The stored points of a study: position and status, inputs, outputs.
 struct Points {
   std::string place;  ///< file and study, for messages

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <iterator>
-#include <set>
 
 #include "studies/scene_io/cells.hpp"
 #include "studies/text/readable_number.hpp"

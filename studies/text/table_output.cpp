@@ -149,6 +149,13 @@ void write_csv_of(std::ostream& out, const std::vector<std::string>& names, std:
   }
 }
 
+template <class AnyTable>
+std::string csv_text(const AnyTable& table) {
+  std::ostringstream text;
+  write_csv(text, table);
+  return std::move(text).str();
+}
+
 }  // namespace
 
 void write_csv(std::ostream& out, const Table& table) {
@@ -161,17 +168,8 @@ void write_csv(std::ostream& out, const ColumnTable& table) {
                [&](std::size_t row, std::size_t column) { return table.columns[column][row]; });
 }
 
-std::string csv_of(const Table& table) {
-  std::ostringstream text;
-  write_csv(text, table);
-  return std::move(text).str();
-}
-
-std::string csv_of(const ColumnTable& table) {
-  std::ostringstream text;
-  write_csv(text, table);
-  return std::move(text).str();
-}
+std::string csv_of(const Table& table) { return csv_text(table); }
+std::string csv_of(const ColumnTable& table) { return csv_text(table); }
 
 void write_json(std::ostream& out, const Table& table) {
   const Json rows = json_of(table);

@@ -24,7 +24,6 @@ void write_markdown(std::ostream& out, const Table& table);
 
 /// RFC 4180 with a line of names; all digits; empty where something is absent, "inf" for an infinite number.
 void write_csv(std::ostream& out, const Table& table);
-
 void write_csv(std::ostream& out, const ColumnTable& table);
 
 /// The same as a text.
