@@ -269,12 +269,19 @@ double spectrum_error(const ContactModel& model, double half_width) {
                       wider = pressure.response(half_width * (1 + step), true);
   const double loss_power = std::log(wider.loss / at.loss) / std::log1p(step);
   const double slope_power = std::log(wider.slope / at.slope) / std::log1p(step);
-  double variance = 0;
+  // Layers of the same table share what it leaves open.
+  struct OpenTable {
+    MasterCurve rows;
+    std::shared_ptr<const MasterCurveFit> fit;
+    Eigen::VectorXd slopes;
+  };
+  std::vector<OpenTable> tables;
   /// @param flow speed at which the layer flows through the contact over V
   const auto add = [&](const ModelLayer& layer, const CreepSpectrum& creep, double flow,
                        const HertzPressure::Stiffen& stiffen) {
     if (!is_curve(layer)) return;
-    const auto fit = shared_master_curve_fit(layer);
+    MasterCurve rows = measured_curve(layer);
+    const auto fit = shared_master_curve_fit(rows);
     const Eigen::ArrayXd open =
         Eigen::Map<const Eigen::ArrayXd>(fit->open.times.data(), static_cast<Eigen::Index>(fit->open.times.size()));
     const Eigen::ArrayXd times = open.isInf().select(open, time_shift(layer) * flow * open);
@@ -282,7 +289,12 @@ double spectrum_error(const ContactModel& model, double half_width) {
     // Under a load P = -2 a/(n' R A') is kept, under an approach nearly a, and of a given pressure a itself.
     const Eigen::VectorXd slope = change.slope / at.slope, loss = change.loss / at.loss;
     const double through_slope = model.loaded ? 0 : model.load ? loss_power / (1 - slope_power) : -2;
-    variance += std::pow(fit->open.deviation(loss + through_slope * slope), 2);
+    const auto known =
+        std::find_if(tables.begin(), tables.end(), [&](const OpenTable& table) { return table.rows == rows; });
+    if (known == tables.end())
+      tables.push_back({std::move(rows), fit, loss + through_slope * slope});
+    else
+      known->slopes += loss + through_slope * slope;
   };
   const bool composite = model.composite();
   for (std::size_t i = 0; i < model.foundation.size(); ++i)
@@ -295,6 +307,8 @@ double spectrum_error(const ContactModel& model, double half_width) {
   for (std::size_t i = 0; i < model.coating.size(); ++i)
     add(model.coating[i], creep_in_flow(model, model.coating[i]), std::abs(model.flow),
         [i](SteadySurface::Moduli& moduli, double factor) { moduli.coating[i] *= factor; });
+  double variance = 0;
+  for (const OpenTable& table : tables) variance += std::pow(table.fit->open.deviation(table.slopes), 2);
   return deviations * std::sqrt(variance);
 }
 

@@ -30,11 +30,18 @@ constexpr double least_ratio = 0.02, largest_ratio = 7, largest_strain = 0.33, l
 /// Of the whole, of what the contact yields; the rest is rigid.
 constexpr double rigid_but_for = 0.99;
 
+/// Sublayers of one layer of the scene as one with the material of the middle; nothing of several layers.
+std::optional<ModelLayer> as_one(const std::vector<ModelLayer>& layers) {
+  if (layers_of_scene(layers).back() > 0) return std::nullopt;
+  ModelLayer one = layers[layers.size() / 2];
+  one.layer_thickness *= static_cast<double>(layers.size());
+  return one;
+}
+
 /// The only layer that yields: the one under the body or, on a foundation that is rigid beside it, the coating.
-const ModelLayer* only_layer(const ContactModel& model) {
-  if (model.coating.empty()) return model.foundation.size() == 1 ? &model.top() : nullptr;
-  return model.coating.size() == 1 && model.ring() && share_of_coating(model) > rigid_but_for ? &model.coating.front()
-                                                                                              : nullptr;
+std::optional<ModelLayer> only_layer(const ContactModel& model) {
+  if (model.coating.empty()) return as_one(model.foundation);
+  return model.ring() && share_of_coating(model) > rigid_but_for ? as_one(model.coating) : std::nullopt;
 }
 
 bool of_a_fitted_kind(const ContactModel& model) {
@@ -60,7 +67,7 @@ LinearityError relative(double logarithm, double scatter) {
 
 std::optional<LinearityError> linearity_error(const ContactModel& model, const RollingSolution& linear) {
   if (model.loaded || !of_a_fitted_kind(model) || linear.method == Method::finite_strain) return {};
-  const ModelLayer* const layer = only_layer(model);
+  const std::optional<ModelLayer> layer = only_layer(model);
   const double half = 0.5 * (linear.leading_edge - linear.trailing_edge);
   if (!layer || layer->poisson_ratio < least_poisson || !resists_by_its_loss(model, linear, half)) return {};
   if (std::isinf(layer->layer_thickness)) {
@@ -92,7 +99,7 @@ std::optional<LinearityError> linearity_error(const ContactModel& model, const R
 }
 
 double strain_number(const ContactModel& model, const RollingSolution& solution) {
-  const ModelLayer* const layer = only_layer(model);
+  const std::optional<ModelLayer> layer = only_layer(model);
   const double thickness = layer ? layer->layer_thickness : total_thickness(model);
   return std::isfinite(thickness) ? (model.loaded ? solution.peak_deflection : solution.approach) / thickness : NAN;
 }

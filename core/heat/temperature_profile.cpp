@@ -82,8 +82,7 @@ double TemperatureProfile::mean_of(const Ends& ends, bool with_loss) const {
     for (std::size_t i = 0; i < rule.nodes.size(); ++i) {
       const double depth = panel.from + (panel.to - panel.from) * rule.nodes[i];
       const double weight = (panel.to - panel.from) * rule.weights[i] * (by_loss ? panel.loss[i] : 1);
-      sum +=
-          weight * (with_loss ? at(depth) : path_.air.temperature + ends.rise - path_.resistance(depth) * ends.inwards);
+      sum += weight * (with_loss ? at(depth) : without_loss(ends, depth));
       weights += weight;
     }
   }
@@ -93,6 +92,18 @@ double TemperatureProfile::mean_of(const Ends& ends, bool with_loss) const {
 double TemperatureProfile::mean() const { return mean_of(ends_, true); }
 
 double TemperatureProfile::mean_without_loss() const { return mean_of(ends_of({}, 0), false); }
+
+std::vector<double> TemperatureProfile::scaled_to(double mean, const std::vector<double>& depths) const {
+  const Ends idle = ends_of({}, 0);
+  const double idle_mean = mean_of(idle, false), rise = this->mean() - idle_mean;
+  const double factor = rise > 0 ? (mean - idle_mean) / rise : 0;
+  std::vector<double> temperatures;
+  for (const double depth : depths) {
+    const double base = without_loss(idle, depth);
+    temperatures.push_back(base + factor * (at(depth) - base));
+  }
+  return temperatures;
+}
 
 TemperatureProfile::Peak TemperatureProfile::peak() const {
   const auto inwards = [&](double depth) { return ends_.inwards + lost_above(depth).loss; };

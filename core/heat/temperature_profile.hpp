@@ -34,6 +34,8 @@ class TemperatureProfile {
   double mean() const;
   /// The same mean, were nothing lost anywhere.
   double mean_without_loss() const;
+  /// At depths, were all power lost so many times as much that the mean is `mean`.
+  std::vector<double> scaled_to(double mean, const std::vector<double>& depths) const;
   struct Peak {
     double depth, temperature;
   };
@@ -56,6 +58,10 @@ class TemperatureProfile {
     double loss = 0, moment = 0;
   };
   Ends ends_of(const Lost& whole, double at_face) const;
+  /// At a depth, were nothing lost inside.
+  double without_loss(const Ends& ends, double depth) const {
+    return path_.air.temperature + ends.rise - path_.resistance(depth) * ends.inwards;
+  }
   Lost lost_above(double depth) const;
   double mean_of(const Ends& ends, bool with_loss) const;
 

@@ -1,8 +1,8 @@
 #include "core/interior/interior_summary.hpp"
 
 #include <algorithm>
-#include <stdexcept>
 #include <cmath>
+#include <stdexcept>
 
 #include "core/interior/cylinder_inside.hpp"
 #include "core/interior/sphere_inside.hpp"
@@ -74,6 +74,47 @@ void require_plane(const ContactModel& model) {
     throw std::domain_error("the inside of the layers is not computed of a skewed cylinder");
 }
 
+struct LayersOfScene {
+  explicit LayersOfScene(const ContactModel& model)
+      : under(layers_of_scene(model.foundation)), on_body(layers_of_scene(model.coating)) {}
+  std::size_t place(bool of_body, std::size_t layer) const { return (of_body ? on_body : under)[layer]; }
+  bool ends(bool of_body, std::size_t layer) const {
+    const std::vector<std::size_t>& places = of_body ? on_body : under;
+    return layer + 1 == places.size() || places[layer + 1] != places[layer];
+  }
+  std::vector<std::size_t> under, on_body;
+};
+
+/// Two sublayers as one.
+LayerLoss joined(const LayerLoss& a, const LayerLoss& b) {
+  const double lost = std::abs(a.loss) + std::abs(b.loss), share = lost > 0 ? std::abs(a.loss) / lost : 0.5;
+  const auto mean = [&](double of_a, double of_b) { return share * of_a + (1 - share) * of_b; };
+  return {a.on_body,
+          a.layer,
+          a.loss + b.loss,
+          mean(a.strain_amplitude, b.strain_amplitude),
+          mean(a.amplitude_error, b.amplitude_error),
+          std::max(a.peak_strain_amplitude, b.peak_strain_amplitude)};
+}
+
+/// Counts layers as the scene does.
+InteriorSummary with_layers_of_scene(const ContactModel& model, InteriorSummary s) {
+  const LayersOfScene of_scene(model);
+  std::erase_if(s.bonds, [&](const Bond& bond) { return !of_scene.ends(bond.on_body, bond.layer); });
+  for (Bond& bond : s.bonds) bond.layer = of_scene.place(bond.on_body, bond.layer);
+  for (LineOfFlow& line : s.lines) line.layer = of_scene.place(line.on_body, line.layer);
+  std::vector<LayerLoss> layers;
+  for (LayerLoss& layer : s.layers) {
+    layer.layer = of_scene.place(layer.on_body, layer.layer);
+    if (!layers.empty() && layers.back().on_body == layer.on_body && layers.back().layer == layer.layer)
+      layers.back() = joined(layers.back(), layer);
+    else
+      layers.push_back(layer);
+  }
+  s.layers = std::move(layers);
+  return s;
+}
+
 }  // namespace
 
 InteriorSummary interior_summary(const ContactModel& model, const SurfaceFields& fields, InteriorField::Detail detail) {
@@ -81,14 +122,23 @@ InteriorSummary interior_summary(const ContactModel& model, const SurfaceFields&
   return model.dimension == 3 ? sphere_summary(model, fields, detail) : cylinder_summary(model, fields, detail);
 }
 
+InteriorSummary inside_of_answer(const ContactModel& model, const RollingSolution& solution) {
+  const ContactModel solved = model.with_answer(solution);
+  return with_layers_of_scene(solved, interior_summary(solved, solution.fields, InteriorField::Detail::surface));
+}
+
 std::vector<InteriorSection> interior_sections(const ContactModel& model, const SurfaceFields& fields) {
   require_plane(model);
-  return model.dimension == 3 ? sphere_sections(model, fields) : cylinder_sections(model, fields);
+  std::vector<InteriorSection> sections =
+      model.dimension == 3 ? sphere_sections(model, fields) : cylinder_sections(model, fields);
+  const LayersOfScene of_scene(model);
+  for (InteriorSection& section : sections)
+    for (std::size_t& layer : section.layer) layer = of_scene.place(section.on_body, layer);
+  return sections;
 }
 
 void add_interior(const ContactModel& model, RollingSolution& solution) {
-  const InteriorSummary s =
-      interior_summary(model.with_answer(solution), solution.fields, InteriorField::Detail::surface);
+  const InteriorSummary s = inside_of_answer(model, solution);
   solution.peak_shear_strain = s.peak_shear_strain;
   solution.peak_shear_strain_x = s.peak_x;
   if (model.dimension == 3) solution.peak_shear_strain_y = s.peak_y;

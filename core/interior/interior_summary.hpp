@@ -21,7 +21,7 @@ namespace rollres {
 /// Lines of flow at one depth: under a cylinder one, under a sphere those of all y.
 struct LineOfFlow {
   bool on_body;
-  std::size_t layer;        ///< counted from the contact, from 0
+  std::size_t layer;        ///< of the model, counted from the contact, from 0
   double z;                 ///< height over the undeformed surface [m]
   double thickness;         ///< that it stands for [m]
   double loss;              ///< of a metre of depth: [W/m2], per metre of a cylinder's length; sphere [W/m]
@@ -60,6 +60,9 @@ struct InteriorSummary {
 
 /// @param model of a single passage, with what the answer decided (`with_answer`)   @param fields of its solution
 InteriorSummary interior_summary(const ContactModel& model, const SurfaceFields& fields, InteriorField::Detail detail);
+
+/// Of an answer, with Detail::surface; layers are those of the scene, whose sublayers are taken together.
+InteriorSummary inside_of_answer(const ContactModel& model, const RollingSolution& solution);
 
 /// Losses and amplitudes of layers and of all of them, from the lines and from those between them.
 /// @param between of each layer, in the order of the lines   @param missed  of amplitudes, between the points of a line

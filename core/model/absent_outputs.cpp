@@ -8,6 +8,7 @@
 #include "core/model/scene_rules.hpp"
 #include "core/scene/scene_input.hpp"
 #include "core/scene/solution.hpp"
+#include "core/scene/warmed_layers.hpp"
 
 namespace rollres {
 
@@ -51,7 +52,7 @@ std::string why_absent(const RollingScene& scene, std::string_view output) {
       "bond_shears",       "bond_tensions",         "interior_loss"};
   const bool softening = softens(scene) || std::any_of(scene.lower_layers.begin(), scene.lower_layers.end(), softens) ||
                          std::any_of(scene.coating_layers.begin(), scene.coating_layers.end(), softens);
-  constexpr std::array<std::string_view, 13> of_heat{"mean_temperature",
+  constexpr std::array<std::string_view, 14> of_heat{"mean_temperature",
                                                      "peak_temperature",
                                                      "peak_temperature_depth",
                                                      "bond_temperature",
@@ -63,8 +64,12 @@ std::string why_absent(const RollingScene& scene, std::string_view output) {
                                                      "peclet",
                                                      "fourier",
                                                      "biot",
-                                                     "temperatures"};
+                                                     "temperatures",
+                                                     "sublayer_temperatures"};
   if (find_name(of_heat, output) >= 0 && scene.heat == Heat::off) return "heat = on computes it";
+  if (output == "sublayer_temperatures" && scene.thermal_sublayers == 1) return "thermal_sublayers = 1";
+  if (output == "sublayer_temperatures" && !depends_on_temperature(scene))
+    return "no material that heat warms has a law of shift";
   constexpr std::array<std::string_view, 3> of_capacity{"warming_time", "peclet", "fourier"};
   if (find_name(of_capacity, output) >= 0 && !scene.heat_capacity) return "heat_capacity is not given";
   if (output == "softening" && !softening) return "no layer's moduli depend on the strain";

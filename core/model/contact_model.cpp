@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "core/model/scene_rules.hpp"
+#include "core/scene/warmed_layers.hpp"
 
 namespace rollres {
 
@@ -76,6 +77,13 @@ ModelLayer::ModelLayer(BondedLayer inputs, const SofteningFactors& factors)
       creep(creep_spectrum(*this, factors)),
       modulus_at_rest(static_modulus(*this, factors)) {}
 
+std::vector<std::size_t> layers_of_scene(const std::vector<ModelLayer>& layers) {
+  std::vector<std::size_t> places;
+  for (const ModelLayer& layer : layers)
+    places.push_back(places.empty() ? 0 : places.back() + (layer.continues ? 0 : 1));
+  return places;
+}
+
 ContactModel::ContactModel(const RollingScene& scene)
     : indenter(scene.indenter),
       dimension(dimension_of(scene.indenter)),
@@ -116,7 +124,8 @@ ContactModel::ContactModel(const RollingScene& scene)
   for (const BondedLayer& layer : scene.coating_layers) coating.emplace_back(layer);
   half_space = std::isinf(foundation.back().layer_thickness);
   if (scene.skew_angle) turn_axle(std::tan(*scene.skew_angle));
-  if (scene.heat == Heat::on && scene.ambient_temperature) warm(*scene.ambient_temperature);
+  if (scene.heat == Heat::on && scene.ambient_temperature)
+    warm(std::vector<double>(warmed().size(), *scene.ambient_temperature));
   decide();
 }
 
@@ -190,22 +199,29 @@ ContactModel ContactModel::with_softening(const std::vector<SofteningFactors>& f
   std::size_t place = 0;
   for (std::vector<ModelLayer>* const layers : {&other.foundation, &other.coating})
     for (ModelLayer& layer : *layers)
-      if (place < factors.size()) layer = ModelLayer(std::move(layer), factors[place++]);
+      if (place < factors.size()) {
+        const bool continues = layer.continues;
+        layer = ModelLayer(std::move(layer), factors[place++]);
+        layer.continues = continues;
+      }
   other.decide();
   return other;
 }
 
-void ContactModel::warm(double temperature) {
-  for (ModelLayer& layer : coating.empty() ? foundation : coating) {
-    if (!has_shift(layer)) continue;
-    layer.temperature = temperature;
-    layer = ModelLayer(BondedLayer(layer));  // of its inputs, not a copy of its creep
+void ContactModel::warm(const std::vector<double>& temperatures) {
+  std::vector<ModelLayer>& layers = coating.empty() ? foundation : coating;
+  const std::size_t in_each = temperatures.size() / layers.size();
+  const BondedLayers cut = in_sublayers(BondedLayers(layers.begin(), layers.end()), temperatures);
+  layers.clear();
+  for (const BondedLayer& sublayer : cut) {
+    layers.emplace_back(sublayer);
+    layers.back().continues = (layers.size() - 1) % in_each > 0;
   }
 }
 
-ContactModel ContactModel::with_temperature(double temperature) const {
+ContactModel ContactModel::with_temperatures(const std::vector<double>& temperatures) const {
   ContactModel other = *this;
-  other.warm(temperature);
+  other.warm(temperatures);
   other.decide();
   return other;
 }
@@ -213,8 +229,12 @@ ContactModel ContactModel::with_temperature(double temperature) const {
 ContactModel ContactModel::with_answer(const RollingSolution& solution) const {
   std::vector<SofteningFactors> factors;
   for (const std::array<double, 2>& of_layer : solution.moduli_factors) factors.push_back({of_layer[0], of_layer[1]});
-  const bool warmed = std::isfinite(solution.mean_temperature);
-  ContactModel softened = (warmed ? with_temperature(solution.mean_temperature) : *this).with_softening(factors);
+  ContactModel softened = *this;
+  if (!solution.sublayer_temperatures.empty())
+    softened.warm(solution.sublayer_temperatures);
+  else if (std::isfinite(solution.mean_temperature))
+    softened.warm(std::vector<double>(warmed().size(), solution.mean_temperature));
+  softened = softened.with_softening(factors);
   if (side_force || skew != 0) softened = softened.with_skew(std::tan(solution.skew_angle));
   if (!std::isfinite(solution.rotation_ratio)) return softened;
   return softened.with_flow(solution.rotation_ratio * (skewed() ? std::hypot(1, softened.skew) : 1));

@@ -28,9 +28,13 @@ struct ModelLayer : BondedLayer {
   CreepSpectrum creep;            // of its material, at its temperature and at the strain amplitude taken
   double modulus_at_rest = 0;     // G'(0) [Pa]
   double ring_radius = INFINITY;  // of its face towards the contact, if it is a ring on the core; infinite: flat [m]
+  bool continues = false;         // the layer before it: both are sublayers of one layer of the scene
 
   explicit ModelLayer(BondedLayer inputs, const SofteningFactors& factors = {});
 };
+
+/// Of each layer the place of the scene's layer that it is, or is a sublayer of, among those on its side.
+std::vector<std::size_t> layers_of_scene(const std::vector<ModelLayer>& layers);
 
 /// A contact before it is solved (estimate/grid_choice.hpp).
 struct ContactEstimate {
@@ -129,10 +133,10 @@ struct ContactModel {
   /// The same with the moduli of each layer, under the body from the contact and then on it, times its factors; none
   /// for the layers beyond the list.
   ContactModel with_softening(const std::vector<SofteningFactors>& factors) const;
-  /// The same with the layers that heat warms at a temperature [K]: those whose materials have a law of shift. Factors
-  /// of moduli are lost.
-  ContactModel with_temperature(double temperature) const;
-  /// The same with the temperature, the moduli at its strains and the flow of its coating that an answer found.
+  /// The same with the layers that heat warms in sublayers at these temperatures [K], as many in each (`in_sublayers`).
+  /// Factors of moduli are lost.
+  ContactModel with_temperatures(const std::vector<double>& temperatures) const;
+  /// The same with the temperatures, the moduli at its strains and the flow of its coating that an answer found.
   ContactModel with_answer(const RollingSolution& solution) const;
   /// Decides anew which method solves it: where layers were left out.
   void choose_method();
@@ -142,8 +146,9 @@ struct ContactModel {
  private:
   /// Speeds in the frame of the axle turned to a skew; nothing is decided anew.
   void turn_axle(double tangent);
-  /// Its warmed layers at a temperature; nothing is decided anew.
-  void warm(double temperature);
+  const std::vector<ModelLayer>& warmed() const { return coating.empty() ? foundation : coating; }
+  /// Its warmed layers in sublayers at these temperatures; nothing is decided anew.
+  void warm(const std::vector<double>& temperatures);
   void decide();
 };
 

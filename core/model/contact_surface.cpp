@@ -213,14 +213,14 @@ std::string coating_in_words(const ContactModel& model) {
 
 std::string surface_in_words(const ContactModel& model) {
   const bool half_space = !has_rigid_base(model);
-  const std::size_t layers = model.foundation.size() - (half_space ? 1 : 0);
+  const std::size_t layers = layers_of_scene(model.foundation).back() + (half_space ? 0 : 1);
   std::string text = layers == 0   ? ""
                      : layers == 1 ? "one layer bonded to "
                                    : std::to_string(layers) + " layers bonded to each other and to ";
   text += half_space ? "a half-space" : "a rigid base";
-  const std::size_t coats = model.coating.size();
   if (model.loaded) return text;
-  if (coats == 0) return text + ", rigid body";
+  if (model.coating.empty()) return text + ", rigid body";
+  const std::size_t coats = layers_of_scene(model.coating).back() + 1;
   return text + ", rigid body with " + (coats == 1 ? "a coating" : std::to_string(coats) + " coatings");
 }
 

@@ -12,9 +12,10 @@ constexpr std::array<std::string_view, 8> of_models{"stiffening",       "creep_t
                                                     "storage_moduli",   "loss_moduli"};
 
 /// Inputs that only the heat of rolling asks for.
-constexpr std::array<std::string_view, 10> of_heat{
-    "thermal_conductivity", "heat_capacity",      "turn_length", "surface_heat_transfer", "ambient_temperature",
-    "ground_effusivity",    "ground_temperature", "core",        "core_temperature",      "core_heat_transfer"};
+constexpr std::array<std::string_view, 11> of_heat{
+    "thermal_conductivity", "heat_capacity",      "turn_length",        "surface_heat_transfer",
+    "ambient_temperature",  "ground_effusivity",  "ground_temperature", "core",
+    "core_temperature",     "core_heat_transfer", "thermal_sublayers"};
 
 bool is_idle(const MaterialInputs& layer, std::string_view key) {
   if (find_name(of_models, key) >= 0) return find_name(needed_inputs(layer.material), key) < 0;

@@ -124,7 +124,7 @@ constexpr std::array<MaterialInput, 34> material_inputs{{
      &MaterialInputs::yeoh_third},
 }};
 
-constexpr std::array<SceneInput, 41> motion_inputs{{
+constexpr std::array<SceneInput, 42> motion_inputs{{
     {{"lower_layers", "", "", "layers bonded under the first, from above, each an object; a rigid base below"},
      &RollingScene::lower_layers},
     {{"coating_layers", "", "", "layers bonded on the body, from its surface inwards, each an object"},
@@ -203,6 +203,12 @@ constexpr std::array<SceneInput, 41> motion_inputs{{
     {{"core_heat_transfer", "", "W/m2/K", "heat transfer from the core to core_temperature, or to the air",
       not_negative},
      &RollingScene::core_heat_transfer},
+    {{"thermal_sublayers",
+      "",
+      "1",
+      "sublayers of equal thickness in each layer that heat warms, as warm as their middles; 1: all at one temperature",
+      {.lowest = 1, .highest = 24}},
+     &RollingScene::thermal_sublayers},
     {{"time_limit", "", "s",
       "of processor time, after which a solution ends with its best answer or a reason; absent: 60 s", positive},
      &RollingScene::time_limit},

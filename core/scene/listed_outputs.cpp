@@ -8,7 +8,7 @@ namespace rollres {
 
 namespace {
 
-constexpr std::array<ListedOutput, 79> outputs{{
+constexpr std::array<ListedOutput, 80> outputs{{
     {{"rolling_resistance", "R_r", "N", "rolling resistance Q + T Ω / V", any_number, "N/m"},
      &RollingSolution::rolling_resistance},
     {{"rolling_resistance_coefficient", "R_r/P", "1", "rolling resistance over load"},
@@ -130,6 +130,8 @@ constexpr std::array<ListedOutput, 79> outputs{{
       "mean temperatures of all steady states, ascending: stable, unstable and stable in turn; warming reaches "
       "the first"},
      &RollingSolution::temperatures},
+    {{"sublayer_temperatures", "", "K", "of the sublayers of the layers that heat warms, from the contact away"},
+     &RollingSolution::sublayer_temperatures},
     {{"spacing", "a", "m", "distance between nodes"}, &RollingSolution::spacing},
     {{"iterations", "", "1", "iterations of the solver on its last grid"}, &RollingSolution::iterations},
     {{"seconds", "", "s", "wall time of the solution"}, &RollingSolution::seconds},

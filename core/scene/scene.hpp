@@ -182,6 +182,7 @@ struct RollingScene : BondedLayer {
   CoreHeat core = CoreHeat::automatic;
   std::optional<double> core_temperature;           // [K]
   std::optional<double> core_heat_transfer;         // to that, or to the air's [W/m2/K]
+  int thermal_sublayers = 1;                        // of each warmed layer, each at its own temperature; 1: all at one
   std::optional<double> time_limit;                 // of processor time [s]; absent: 60 s
   std::optional<double> memory_limit;               // [byte]; absent: a quarter of the machine's, 4 GB at most
   std::optional<double> period;                     // L [m]; absent: a single passage

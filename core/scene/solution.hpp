@@ -115,7 +115,8 @@ struct RollingSolution {
   double bond_temperature = absent, surface_temperature = absent;
   double heat_to_air = absent, heat_to_ground = absent, heat_to_core = absent;
   double warming_time = absent, peclet = absent, fourier = absent, biot = absent;
-  std::vector<double> temperatures;  // of all steady states, ascending [K]
+  std::vector<double> temperatures;           // of all steady states, ascending [K]
+  std::vector<double> sublayer_temperatures;  // from the contact away [K]; empty: all at mean_temperature
   double spacing = absent;
   int iterations = 0;
   double seconds = absent;

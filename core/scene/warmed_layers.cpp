@@ -1,56 +1,68 @@
 #include "core/scene/warmed_layers.hpp"
 
-#include <type_traits>
 #include <utility>
 
 namespace rollres {
 
 namespace {
 
-/// Those of a scene, const or not, from the contact away.
-template <class Scene, class Visitor>
-void visit_warmed(Scene& scene, const Visitor& visitor) {
-  using Layer = std::conditional_t<std::is_const_v<Scene>, const BondedLayer, BondedLayer>;
-  const bool covered = !scene.coating_layers.empty();
-  if (!covered) visitor(static_cast<Layer&>(scene));
-  for (Layer& layer : covered ? scene.coating_layers : scene.lower_layers) visitor(layer);
+/// From the contact away.
+BondedLayers layers_that_warm(const RollingScene& scene) {
+  if (!scene.coating_layers.empty()) return scene.coating_layers;
+  BondedLayers layers{scene};
+  layers.insert(layers.end(), scene.lower_layers.begin(), scene.lower_layers.end());
+  return layers;
 }
 
 }  // namespace
 
 std::vector<const MaterialInputs*> warmed_layers(const RollingScene& scene) {
   std::vector<const MaterialInputs*> layers;
-  visit_warmed(scene, [&](const BondedLayer& layer) { layers.push_back(&layer); });
+  const bool covered = !scene.coating_layers.empty();
+  if (!covered) layers.push_back(&scene);
+  for (const BondedLayer& layer : covered ? scene.coating_layers : scene.lower_layers) layers.push_back(&layer);
   return layers;
 }
 
-RollingScene at_temperature(RollingScene scene, double temperature) {
-  scene.heat = Heat::off;
-  visit_warmed(scene, [&](BondedLayer& layer) {
-    if (has_shift(layer)) layer.temperature = temperature;
-  });
-  return scene;
+BondedLayers in_sublayers(const BondedLayers& layers, const std::vector<double>& temperatures) {
+  const std::size_t in_each = temperatures.size() / layers.size();
+  BondedLayers cut;
+  for (const BondedLayer& layer : layers)
+    for (std::size_t i = 0; i < in_each; ++i) {
+      BondedLayer sublayer = layer;
+      sublayer.layer_thickness /= static_cast<double>(in_each);
+      if (has_shift(sublayer)) sublayer.temperature = temperatures[cut.size()];
+      cut.push_back(std::move(sublayer));
+    }
+  return cut;
 }
 
-RollingScene at_temperatures(RollingScene scene, int pieces, const std::function<double(double)>& temperature) {
+std::vector<double> sublayer_depths(const RollingScene& scene, int in_each) {
+  std::vector<double> depths;
+  double face = 0;
+  for (const BondedLayer& layer : layers_that_warm(scene)) {
+    for (int i = 0; i < in_each; ++i) depths.push_back(face + layer.layer_thickness * (i + 0.5) / in_each);
+    face += layer.layer_thickness;
+  }
+  return depths;
+}
+
+RollingScene at_temperatures(RollingScene scene, const std::vector<double>& temperatures) {
   scene.heat = Heat::off;
-  BondedLayers cut;
-  double depth = 0;
-  visit_warmed(std::as_const(scene), [&](const BondedLayer& layer) {
-    BondedLayer piece = layer;
-    piece.layer_thickness /= pieces;
-    for (int i = 0; i < pieces; ++i, depth += piece.layer_thickness) {
-      if (has_shift(piece)) piece.temperature = temperature(depth + 0.5 * piece.layer_thickness);
-      cut.push_back(piece);
-    }
-  });
+  BondedLayers cut = in_sublayers(layers_that_warm(scene), temperatures);
   if (scene.coating_layers.empty()) {
     static_cast<BondedLayer&>(scene) = cut.front();
-    scene.lower_layers.assign(cut.begin() + 1, cut.end());
+    cut.erase(cut.begin());
+    scene.lower_layers = std::move(cut);
   } else {
     scene.coating_layers = std::move(cut);
   }
   return scene;
+}
+
+RollingScene at_temperature(RollingScene scene, double temperature) {
+  const std::size_t layers = warmed_layers(scene).size();
+  return at_temperatures(std::move(scene), std::vector<double>(layers, temperature));
 }
 
 bool depends_on_temperature(const RollingScene& scene) {
@@ -61,7 +73,7 @@ bool depends_on_temperature(const RollingScene& scene) {
 
 double warmed_thickness(const RollingScene& scene) {
   double thickness = 0;
-  visit_warmed(scene, [&](const BondedLayer& layer) { thickness += layer.layer_thickness; });
+  for (const BondedLayer& layer : layers_that_warm(scene)) thickness += layer.layer_thickness;
   return thickness;
 }
 

@@ -3,7 +3,6 @@
 /// The layers that the heat of rolling warms: those on the body, or, of a body without, those under it (a belt that
 /// comes round again). A floor under a covered body is always met where it has not been warmed.
 
-#include <functional>
 #include <vector>
 
 #include "core/scene/scene.hpp"
@@ -17,9 +16,16 @@ std::vector<const MaterialInputs*> warmed_layers(const RollingScene& scene);
 /// @param temperature [K]
 RollingScene at_temperature(RollingScene scene, double temperature);
 
-/// The same with each warmed layer cut into pieces of equal thickness, as warm as their middles are.
-/// @param temperature at a depth below the face in contact [m] -> [K]
-RollingScene at_temperatures(RollingScene scene, int pieces, const std::function<double(double)>& temperature);
+/// Layers cut into sublayers of equal thickness, from the contact away, each at its own temperature: those whose
+/// materials have a law of shift.
+/// @param temperatures of the sublayers, as many in each layer [K]
+BondedLayers in_sublayers(const BondedLayers& layers, const std::vector<double>& temperatures);
+
+/// Depths of the middles of these below the face in contact [m].
+std::vector<double> sublayer_depths(const RollingScene& scene, int in_each);
+
+/// The same scene without heat, its warmed layers in sublayers.
+RollingScene at_temperatures(RollingScene scene, const std::vector<double>& temperatures);
 
 /// Whether a material of the warmed layers depends on the temperature.
 bool depends_on_temperature(const RollingScene& scene);

@@ -6,6 +6,7 @@
 #include <optional>
 #include <utility>
 
+#include "core/algebra/fixed_point.hpp"
 #include "core/estimate/assumptions.hpp"
 #include "core/estimate/composite_estimate.hpp"
 #include "core/estimate/grid_choice.hpp"
@@ -18,18 +19,23 @@ namespace rollres {
 
 namespace {
 
-/// A solution at one temperature, and the temperatures that it makes.
+/// A solution at given temperatures, and those that it makes.
 struct IsothermalAnswer {
   RollingSolution solution;
   double power;  // [W/m]
   WarmedDepth depth;
+  double unsettled;  // of the sublayers' temperatures, those that it makes scaled to the mean less the given [K]
 };
 
 class HeatBalanceSolution {
  public:
   HeatBalanceSolution(const RollingScene& scene,
-                      const std::function<RollingSolution(const RollingScene&)>& solve_isothermal)
-      : scene_(scene), solve_(solve_isothermal) {}
+                      const std::function<RollingSolution(const ContactModel&)>& solve_isothermal)
+      : scene_(scene),
+        model_(scene),
+        solve_(solve_isothermal),
+        in_each_(depends_on_temperature(scene) ? scene.thermal_sublayers : 1),
+        depths_(sublayer_depths(scene, in_each_)) {}
 
   RollingSolution run() {
     if (!depends_on_temperature(scene_)) {
@@ -38,7 +44,8 @@ class HeatBalanceSolution {
       return finished(answers_.begin()->second, {{mean, true, 0}});
     }
     const std::vector<double> scanned = temperatures_to_scan(scene_);
-    last_scanned_ = scanned.back();
+    coldest_ = scanned.front();
+    warmest_ = scanned.back();
     const RiseEstimate estimate = estimated(scanned);
     const SteadyTemperatures found =
         steady_temperatures(estimate, [&](double temperature) { return balance_at(temperature); });
@@ -62,19 +69,65 @@ class HeatBalanceSolution {
     return {scanned, estimated_losses(scene_, scanned), even.mean() - base, base};
   }
 
-  std::optional<HeatBalance> balance_at(double temperature) {
-    const RollingScene isothermal = at_temperature(scene_, temperature);
+  bool in_sublayers() const { return in_each_ > 1; }
+
+  /// The exact answer at a mean temperature, whose sublayers are as warm as its profile scaled to that mean.
+  std::optional<HeatBalance> balance_at(double mean) {
+    constexpr double wanted = 1e-9, far = 1e-3;  // of a temperature; of what the mean is from a steady one
+    std::optional<IsothermalAnswer> answer;
+    FixedPointProblem problem;
+    problem.map = [&](const Eigen::VectorXd& temperatures) -> std::optional<Eigen::VectorXd> {
+      answer = answer_at(bounded({temperatures.begin(), temperatures.end()}));
+      if (!answer) return std::nullopt;
+      if (!in_sublayers()) return temperatures;
+      const Eigen::VectorXd made = as_vector(bounded(answer->depth.profile.scaled_to(mean, depths_)));
+      answer->unsettled = (made - temperatures).cwiseAbs().maxCoeff();
+      return made;
+    };
+    problem.near = [&](const Eigen::VectorXd&, const Eigen::VectorXd&) {
+      const double excess = answer->depth.profile.mean() - mean;
+      return answer->unsettled <= std::max(wanted * mean, far * std::abs(excess));
+    };
+    problem.difference = 1e-2;
+    problem.most_evaluations = 20 + 10 * static_cast<int>(depths_.size());
+    if (!fixed_point(problem, as_vector(first_temperatures(mean)))) return std::nullopt;
+    const double base = answer->depth.profile.mean_without_loss(), found = answer->depth.profile.mean();
+    answers_.insert_or_assign(mean, std::move(*answer));
+    return HeatBalance{base, found - base};
+  }
+
+  static Eigen::VectorXd as_vector(const std::vector<double>& values) {
+    return Eigen::Map<const Eigen::VectorXd>(values.data(), static_cast<Eigen::Index>(values.size()));
+  }
+
+  /// Within what the laws of shift are asked for.
+  std::vector<double> bounded(std::vector<double> temperatures) const {
+    for (double& one : temperatures) one = std::clamp(one, coldest_, warmest_);
+    return temperatures;
+  }
+
+  /// As the profile of the nearest answer has them.
+  std::vector<double> first_temperatures(double mean) const {
+    const auto nearest = std::min_element(answers_.begin(), answers_.end(), [&](const auto& one, const auto& other) {
+      return std::abs(one.first - mean) < std::abs(other.first - mean);
+    });
+    if (!in_sublayers() || nearest == answers_.end()) return std::vector<double>(depths_.size(), mean);
+    return bounded(nearest->second.depth.profile.scaled_to(mean, depths_));
+  }
+
+  std::optional<IsothermalAnswer> answer_at(const std::vector<double>& temperatures) {
+    const ContactModel isothermal = model_.with_temperatures(temperatures);
     RollingSolution solution = solve_(isothermal);
+    ++solutions_;
     if (solution.status != Status::converged) {
       failed_ = std::move(solution);
       return std::nullopt;
     }
-    const ContactModel model = ContactModel(isothermal).with_answer(solution);
+    const ContactModel model = isothermal.with_answer(solution);
     WarmedDepth depth = warmed_depth(scene_, model, solution);
-    const double power = solution.rolling_resistance * model.speed, base = depth.profile.mean_without_loss();
-    const HeatBalance balance{base, depth.profile.mean() - base};
-    answers_.insert_or_assign(temperature, IsothermalAnswer{std::move(solution), power, std::move(depth)});
-    return balance;
+    if (in_sublayers()) solution.sublayer_temperatures = temperatures;
+    const double power = solution.rolling_resistance * model.speed;
+    return IsothermalAnswer{std::move(solution), power, std::move(depth), 0};
   }
 
   /// "12.3 W", of the body whose width is given, or "12.3 W/m".
@@ -113,24 +166,34 @@ class HeatBalanceSolution {
     solution.biot = numbers.biot;
     for (const SteadyTemperature& state : states) solution.temperatures.push_back(state.temperature);
     std::erase_if(solution.assumptions, [](const std::string& one) { return one.starts_with(no_heat); });
+    const std::string sublayers =
+        in_sublayers() ? message_text(", in ", in_each_, " sublayers each as warm as its middle") : "";
     solution.model += message_text<6>("; the warmed layers at ", solution.mean_temperature,
-                                      " K, the mean by their own loss, found in ", answers_.size(),
-                                      answers_.size() == 1 ? " solution" : " solutions at one temperature each");
+                                      " K, the mean by their own loss", sublayers, ", found in ", solutions_,
+                                      solutions_ == 1  ? " solution"
+                                      : in_sublayers() ? " solutions"
+                                                       : " solutions at one temperature each");
     assume_one_temperature(profile, solution);
-    warn(states, solution);
+    warn(states, answer.unsettled, solution);
     return solution;
   }
 
-  void warn(const std::vector<SteadyTemperature>& states, RollingSolution& solution) const {
+  void warn(const std::vector<SteadyTemperature>& states, double unsettled, RollingSolution& solution) const {
     constexpr double even = 20, settled = 1e-6;  // Peclet's number; of a temperature
     if (solution.peclet < even)
       solution.warnings.push_back(message_text("heat: Peclet's number is ", solution.peclet,
                                                " and Fourier's of a turn ", solution.fourier,
                                                ": the layers are not evenly warm around a turn, as is assumed"));
-    if (std::abs(states.front().missed) > settled * states.front().temperature)
-      solution.warnings.push_back(message_text("heat: the mean temperature is found to ",
-                                               std::abs(states.front().missed),
-                                               " K: solutions at neighbouring temperatures scatter as much"));
+    const double missed = std::max(std::abs(states.front().missed), unsettled);
+    if (missed > settled * states.front().temperature)
+      solution.warnings.push_back(
+          message_text("heat: the ", unsettled < missed ? "mean temperature is" : "temperatures of the sublayers are",
+                       " found to ", missed, " K: solutions at neighbouring temperatures scatter as much"));
+    if (in_sublayers() &&
+        solution.sublayer_temperatures.end() !=
+            std::find(solution.sublayer_temperatures.begin(), solution.sublayer_temperatures.end(), warmest_))
+      solution.warnings.push_back(
+          message_text<5>("heat: sublayers are warmer than the law of shift reaches: taken at ", warmest_, " K"));
     if (states.size() > 1) {
       std::string others;
       for (std::size_t i = 1; i < states.size(); ++i)
@@ -141,31 +204,43 @@ class HeatBalanceSolution {
     }
   }
 
-  /// What one temperature for all warmed layers changes: beside layers as warm as the profile, which stays as it is.
+  /// What one temperature for all warmed layers, or for each sublayer, changes: beside finer sublayers as warm as the
+  /// profile, which stays as it is.
   void assume_one_temperature(const TemperatureProfile& profile, RollingSolution& solution) const {
     if (!depends_on_temperature(scene_)) return;
-    constexpr int pieces = 6;
-    const double coldest = std::min(profile.face(), profile.bond());
-    const ContactModel one(at_temperature(scene_, solution.mean_temperature));
-    const ContactModel each(
-        at_temperatures(scene_, pieces, [&](double depth) { return std::min(profile.at(depth), last_scanned_); }));
-    const auto [change, scatter] = ResistanceChange(one, half_length(solution))(each);
+    constexpr int least = 6, finer = 3;
+    const auto as_warm = [&](int in_each) {
+      std::vector<double> temperatures = sublayer_depths(scene_, in_each);
+      for (double& at : temperatures) at = profile.at(at);
+      return model_.with_temperatures(bounded(std::move(temperatures)));
+    };
+    const ContactModel one =
+        in_sublayers() ? as_warm(in_each_) : ContactModel(at_temperature(scene_, solution.mean_temperature));
+    const auto [change, scatter] =
+        ResistanceChange(one, half_length(solution))(as_warm(std::max(least, finer * in_each_)));
     if (!std::isfinite(change)) return;
     const std::string range =
-        message_text<4>("the warmed layers are between ", coldest, " and ", solution.peak_temperature, " K");
-    solution.assumptions.push_back(in_words({one_temperature, range, change, scatter}));
+        message_text<4>("the warmed layers are between ", std::min(profile.face(), profile.bond()), " and ",
+                        solution.peak_temperature, " K");
+    const std::string sublayers = in_sublayers() ? message_text("of each of ", in_each_, " sublayers; ") : "";
+    solution.assumptions.push_back(in_words({one_temperature, sublayers + range, change, scatter}));
     solution.model_error = std::hypot(solution.model_error, std::abs(change) + scatter);
     constexpr double far = 0.1;
     if (std::abs(change) > far)
-      solution.warnings.push_back(
-          "heat: " + range +
-          message_text<2>(": layers as warm as they are would change R_r by about ", 100 * change, " %"));
+      solution.warnings.push_back("heat: " + range +
+                                  message_text<2>(": layers as warm as they are would change R_r by about ",
+                                                  100 * change,
+                                                  " %: give thermal_sublayers = ", std::max(least, finer * in_each_)));
   }
 
   const RollingScene& scene_;
-  const std::function<RollingSolution(const RollingScene&)>& solve_;
-  std::map<double, IsothermalAnswer> answers_;
-  double last_scanned_ = 0;  // [K]
+  ContactModel model_;
+  const std::function<RollingSolution(const ContactModel&)>& solve_;
+  int in_each_;                                      // sublayers
+  std::vector<double> depths_;                       // of the sublayers' middles below the face [m]
+  std::map<double, IsothermalAnswer> answers_;       // by their mean temperature
+  double coldest_ = -INFINITY, warmest_ = INFINITY;  // that are scanned [K]
+  int solutions_ = 0;
   RollingSolution failed_;
 };
 
@@ -179,7 +254,7 @@ WarmedDepth warmed_depth(const RollingScene& scene, const ContactModel& solved, 
 }
 
 RollingSolution solve_with_heat(const RollingScene& scene,
-                                const std::function<RollingSolution(const RollingScene&)>& solve_isothermal) {
+                                const std::function<RollingSolution(const ContactModel&)>& solve_isothermal) {
   return HeatBalanceSolution(scene, solve_isothermal).run();
 }
 

@@ -7,6 +7,11 @@
 /// temperatures are looked for (heat/steady_temperatures.hpp), with the loss under Hertz's pressure as the estimate.
 /// One linear material stands for each layer, at this one temperature; all have the same conductivity. The answer is
 /// that of the lowest state, which warming from cold reaches. Materials without a law of shift need one solution.
+///
+/// With `thermal_sublayers` each warmed layer is cut into as many, each as warm as its middle. At a mean temperature
+/// that is not steady they are as warm as the profile would be if the power lost were so many times as much that its
+/// mean is that temperature: bounded by the surroundings and the mean, and the profile itself where it is steady. They
+/// and the profile that they make are brought together by Anderson's mixing.
 
 #include <functional>
 
@@ -26,10 +31,10 @@ struct WarmedDepth {
 WarmedDepth warmed_depth(const RollingScene& scene, const ContactModel& solved, const RollingSolution& solution);
 
 /// @param scene obeys `check`, with heat
-/// @param solve_isothermal  of a scene without heat, per metre of a cylinder's length
+/// @param solve_isothermal  of its model at given temperatures, per metre of a cylinder's length
 /// @return per metre; no_steady_state where at any temperature more is lost than leaves; what `solve_isothermal` found
 /// where that has no answer
 RollingSolution solve_with_heat(const RollingScene& scene,
-                                const std::function<RollingSolution(const RollingScene&)>& solve_isothermal);
+                                const std::function<RollingSolution(const ContactModel&)>& solve_isothermal);
 
 }  // namespace rollres

@@ -137,14 +137,17 @@ std::vector<std::string> warnings_for(const ContactModel& model, const RollingSo
                                       " of the power goes neither into the layers nor into friction; kinematics "
                                       "\"consistent\" balances it"));
   }
-  for (std::string& line : material_warnings(model.top())) warnings.push_back(std::move(line));
-  const auto warn_of = [&](const char* list, const std::vector<ModelLayer>& layers, std::size_t first) {
-    for (std::size_t i = first; i < layers.size(); ++i)
-      for (const std::string& line : material_warnings(layers[i]))
-        warnings.push_back(message_text(list, "[", i - first, "]: ", line));
+  const auto warn_of = [&](const std::vector<ModelLayer>& layers, const auto& owner) {
+    const std::vector<std::size_t> places = layers_of_scene(layers);
+    for (std::size_t i = 0; i < layers.size(); ++i) {
+      if (layers[i].continues) continue;
+      for (const std::string& line : material_warnings(layers[i])) warnings.push_back(owner(places[i]) + line);
+    }
   };
-  warn_of("lower_layers", model.foundation, 1);
-  warn_of("coating_layers", model.coating, 0);
+  warn_of(model.foundation, [](std::size_t place) {
+    return place == 0 ? std::string() : message_text("lower_layers[", place - 1, "]: ");
+  });
+  warn_of(model.coating, [](std::size_t place) { return message_text("coating_layers[", place, "]: "); });
   if (model.spacing && !on_grid(solution.method))
     warnings.push_back(message_text("spacing = ", *model.spacing, " m is not used by method ", name_of(solution.method),
                                     ", which has no grid"));

@@ -68,6 +68,8 @@ class Simplification {
   void cut(std::vector<ModelLayer> ContactModel::*list, std::size_t least) {
     const std::size_t count = (model_.*list).size();
     const bool on_body = list == &ContactModel::coating;
+    const bool sublayers = std::any_of((model_.*list).begin(), (model_.*list).end(),
+                                       [](const ModelLayer& layer) { return layer.continues; });
     for (std::size_t keep = least; keep < count; ++keep) {
       ContactModel simpler = model_;
       (simpler.*list).erase((simpler.*list).begin() + static_cast<std::ptrdiff_t>(keep), (simpler.*list).end());
@@ -75,9 +77,11 @@ class Simplification {
       const auto first = [&](const std::string& one, const std::string& several) {
         return keep == 1 ? one : message_text(keep, " ", several);
       };
-      const std::string beyond = !on_body    ? "what lies below the first " + first("layer", "layers")
-                                 : keep == 0 ? "the body's coating"
-                                             : "what lies inside the first " + first("coating", "coatings");
+      const std::string beyond = keep == 0 ? "the body's coating"
+                                           : (on_body ? "what lies inside the first " : "what lies below the first ") +
+                                                 (sublayers ? first("sublayer", "sublayers")
+                                                  : on_body ? first("coating", "coatings")
+                                                            : first("layer", "layers"));
       if (take(std::move(simpler), change, beyond + " taken as rigid")) return;
     }
   }
@@ -98,7 +102,7 @@ class Simplification {
       top->temperature.reset();
       top->poisson_ratio = 0.5;
       const double ring_radius = top->ring_radius;
-      *top = ModelLayer(*top);
+      *top = ModelLayer(BondedLayer(*top));  // of its inputs, not a copy of its creep
       top->ring_radius = ring_radius;
     }
     if (!spectral_refusal(simpler).empty() || spectral_refusal(model).empty()) return;

@@ -73,9 +73,8 @@ RollingSolution isothermal_answer(const ContactModel& model) {
 }
 
 RollingSolution answer(const RollingScene& scene, const ContactModel& model) {
-  RollingSolution solution = scene.heat == Heat::on
-                                 ? solve_with_heat(scene, [](const RollingScene& at) { return isothermal_answer(at); })
-                                 : isothermal_answer(model);
+  RollingSolution solution =
+      scene.heat == Heat::on ? solve_with_heat(scene, isothermal_answer) : isothermal_answer(model);
   if (scene.interior == Interior::on && solution.status == Status::converged) add_interior(model, solution);
   return solution;
 }

@@ -304,7 +304,13 @@ class StrainIteration {
 
   std::string name_of_layer(std::size_t place) const {
     const std::size_t under = model_.foundation.size();
-    return layer_name(place >= under, place < under ? place : place - under);
+    const bool on_body = place >= under;
+    const std::vector<std::size_t> places = layers_of_scene(on_body ? model_.coating : model_.foundation);
+    const std::size_t layer = on_body ? place - under : place;
+    const auto first = std::find(places.begin(), places.end(), places[layer]) - places.begin();
+    const bool alone = std::count(places.begin(), places.end(), places[layer]) == 1;
+    return layer_name(on_body, places[layer]) +
+           (alone ? "" : message_text(", sublayer ", layer - static_cast<std::size_t>(first) + 1));
   }
 
   std::string unreachable(const VectorXd& x) const {

@@ -33,9 +33,7 @@ void run_solve(const SolveArguments& options, Session& session) {
   if (options.explain && !options.json) {
     session.out << explanation(scene, solution);
     if (solution.status == Status::converged && has_interior(scene, solution))
-      session.out << interior_text(
-          interior_summary(ContactModel(scene).with_answer(solution), solution.fields, InteriorField::Detail::surface),
-          scene);
+      session.out << interior_text(inside_of_answer(ContactModel(scene), solution), scene);
     // Simpler models have the moduli of small strains.
     if (solution.status == Status::converged && solution.moduli_factors.empty())
       session.out << simpler_models_text(scene, solution, simpler_models(scene, solution, session.evaluate));

@@ -167,7 +167,7 @@ void write_interior(const std::filesystem::path& directory, const RollingScene& 
                     const RollingSolution& solution) {
   const ContactModel solved = ContactModel(scene).with_answer(solution);
   const std::vector<InteriorSection> sections = interior_sections(solved, solution.fields);
-  const InteriorSummary summary = interior_summary(solved, solution.fields, InteriorField::Detail::surface);
+  const InteriorSummary summary = inside_of_answer(scene, solution);
   make_directory(directory);
   std::vector<InteriorSection> upright, faces;
   for (std::size_t place = 0; place < sections.size(); ++place) {

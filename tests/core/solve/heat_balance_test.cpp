@@ -5,6 +5,7 @@
 #include <string>
 #include <utility>
 
+#include "core/interior/interior_summary.hpp"
 #include "core/model/contact_model.hpp"
 #include "core/scene/warmed_layers.hpp"
 #include "tests/core/converged.hpp"
@@ -50,6 +51,20 @@ RollingScene warm_belt() {
   belt.creep_time = 3e-3;
   give_wlf(belt);
   return belt;
+}
+
+/// A cooled core, a core that takes nothing, and a belt with a warm other face: without friction.
+std::vector<RollingScene> unevenly_warm() {
+  RollingScene cooled = narrow_wheel(313.15), insulated = narrow_wheel(293.15), belt = warm_belt();
+  cooled.core_temperature = 288.15;
+  insulated.surface_heat_transfer = 60;
+  belt.core_temperature = 293.15;
+  std::vector<RollingScene> scenes{cooled, insulated, belt};
+  for (RollingScene& scene : scenes) {
+    scene.friction_coefficient = 0;
+    scene.drive = Drive::free;
+  }
+  return scenes;
 }
 
 double heat_leaving(const RollingSolution& s) { return s.heat_to_air + s.heat_to_ground + s.heat_to_core; }
@@ -235,20 +250,14 @@ TEST_CASE("moduli that soften with the strain do so at the temperature found", "
 }
 
 TEST_CASE("what one temperature for a cover costs is what twelve of them change", "[core][heat]") {
-  // A cooled core, a core that takes nothing, and a belt with a warm other face.
-  RollingScene cooled = narrow_wheel(313.15), insulated = narrow_wheel(293.15), belt = warm_belt();
-  cooled.core_temperature = 288.15;
-  insulated.surface_heat_transfer = 60;
-  belt.core_temperature = 293.15;
-  for (RollingScene scene : {cooled, insulated, belt}) {
-    scene.friction_coefficient = 0;
-    scene.drive = Drive::free;
+  for (const RollingScene& scene : unevenly_warm()) {
     const RollingSolution warm = converged(scene);
     const RollingScene one = at_temperature(scene, warm.mean_temperature);
     const RollingSolution isothermal = converged(one);
     const WarmedDepth depth = warmed_depth(scene, ContactModel(one).with_answer(isothermal), isothermal);
-    const RollingSolution each =
-        converged(at_temperatures(scene, 12, [&](double place) { return depth.profile.at(place); }));
+    std::vector<double> as_warm = sublayer_depths(scene, 12);
+    for (double& at : as_warm) at = depth.profile.at(at);
+    const RollingSolution each = converged(at_temperatures(scene, as_warm));
     const double change = each.rolling_resistance / isothermal.rolling_resistance - 1;
     const auto [told, scatter] = told_of_one_temperature(warm);
     CAPTURE(change, told, scatter, warm.surface_temperature, warm.bond_temperature);
@@ -256,4 +265,79 @@ TEST_CASE("what one temperature for a cover costs is what twelve of them change"
     CHECK(std::abs(told - change) < scatter + 0.1 * std::abs(change));
     CHECK(warm.model_error >= std::abs(told));
   }
+}
+
+TEST_CASE("sublayers are as warm as the profile that they make, and have the resistance of such layers",
+          "[core][heat][sublayers]") {
+  for (RollingScene scene : unevenly_warm()) {
+    const RollingSolution one = converged(scene);
+    scene.thermal_sublayers = 5;
+    const RollingSolution s = converged(scene);
+    REQUIRE(s.sublayer_temperatures.size() == 5);
+    // Layers that are given as warm: the same answer, whose loss makes these temperatures.
+    const RollingScene cut = at_temperatures(scene, s.sublayer_temperatures);
+    const RollingSolution given = converged(cut);
+    CHECK(given.rolling_resistance == s.rolling_resistance);
+    const WarmedDepth depth = warmed_depth(scene, ContactModel(cut).with_answer(given), given);
+    const std::vector<double> middles = sublayer_depths(scene, 5);
+    for (std::size_t i = 0; i < middles.size(); ++i)
+      CHECK(depth.profile.at(middles[i]) == Approx(s.sublayer_temperatures[i]).epsilon(1e-7));
+    CHECK(depth.profile.mean() == Approx(s.mean_temperature).epsilon(1e-7));
+    CHECK(s.peak_temperature == Approx(depth.profile.peak().temperature).epsilon(1e-9));
+    CHECK(heat_leaving(s) == Approx(s.rolling_resistance * scene.speed).epsilon(1e-10));
+    // The warmer parts lose less: the answer of one temperature said by how much it was off.
+    const auto [told, scatter] = told_of_one_temperature(one);
+    const double change = s.rolling_resistance / one.rolling_resistance - 1;
+    CAPTURE(change, told, scatter);
+    CHECK(std::abs(told - change) < scatter + 0.3 * std::abs(change));
+    CHECK(std::abs(told_of_one_temperature(s).first) < 0.3 * std::abs(told));
+  }
+}
+
+TEST_CASE("of a cover in sublayers the inside and the messages count layers as the scene does",
+          "[core][heat][sublayers]") {
+  RollingScene scene = narrow_wheel(273.15);
+  scene.interior = Interior::on;
+  scene.friction_coefficient = 0;
+  scene.coating_layers[0].layer_thickness = 6e-3;
+  scene.coating_layers.push_back(scene.coating_layers[0]);
+  scene.thermal_sublayers = 3;
+  const RollingSolution s = converged(scene);
+  CHECK(s.sublayer_temperatures.size() == 6);
+  CHECK(s.bond_shears.size() == 3);
+  CHECK(s.interior_loss == Approx(s.viscous_loss).epsilon(1e-3));
+  CHECK_THAT(s.model, Contains("rigid body with 2 coatings"));
+  const InteriorSummary inside = inside_of_answer(ContactModel(scene), s);
+  REQUIRE(inside.layers.size() == 3);
+  REQUIRE(inside.bonds.size() == 3);
+  CHECK(inside.bonds[2].layer == 1);
+  CHECK(inside.bonds[2].z == Approx(12e-3));
+  double sum = 0;
+  for (const LayerLoss& layer : inside.layers) sum += layer.loss;
+  CHECK(sum == Approx(inside.loss).epsilon(1e-12));
+  // As many sublayers of all as layers that are cut by hand.
+  RollingScene by_hand = at_temperatures(scene, s.sublayer_temperatures);
+  by_hand.interior = Interior::on;
+  const RollingSolution cut = converged(by_hand);
+  CHECK(cut.rolling_resistance == s.rolling_resistance);
+  CHECK(cut.bond_shears.size() == 7);
+  CHECK(cut.bond_shears[6] == s.bond_shears[2]);
+  CHECK(cut.peak_shear_strain == s.peak_shear_strain);
+}
+
+TEST_CASE("all states of a cover in sublayers are found where a mean temperature has a steep profile",
+          "[core][heat][sublayers]") {
+  RollingScene scene = narrow_wheel(273.15);
+  scene.friction_coefficient = 0;
+  scene.core_temperature = 263.15;
+  scene.thermal_sublayers = 3;
+  const RollingSolution s = converged(scene);
+  REQUIRE(s.temperatures.size() == 3);
+  CHECK_THAT(s.warnings.back(), Contains("more than one steady state"));
+  // Materials that do not follow the temperature are not cut.
+  RollingScene constant = warm_wheel();
+  constant.thermal_sublayers = 4;
+  const RollingSolution plain = converged(constant);
+  CHECK(plain.sublayer_temperatures.empty());
+  CHECK(isothermal_solutions_of(plain) == 1);
 }
