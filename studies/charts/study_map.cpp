@@ -54,6 +54,7 @@ std::vector<double> places(const StudyRows& rows, const QuantityColumn& column) 
 
 MapNode state_of(const StudyRows& rows, std::size_t row, double value) {
   if (rows.converged(row)) return std::isfinite(value) ? MapNode::answered : MapNode::unanswered;
+  if (rows.text(row, "status") == name_of(Status::no_steady_state)) return MapNode::no_steady_state;
   return std::isfinite(value) ? MapNode::not_converged : MapNode::unanswered;
 }
 

@@ -10,7 +10,8 @@
 namespace rollres {
 
 void write_contour_levels(std::ostream& script, const std::vector<ContourLoop>& loops, const Span& x, const Span& y,
-                          const std::vector<std::array<double, 2>>& taken) {
+                          const std::vector<std::array<double, 2>>& taken,
+                          const std::function<bool(const std::array<double, 2>&)>& shown) {
   constexpr double apart = 0.105, smallest = 0.12;  // of the map
   const auto fraction = [&](const std::array<double, 2>& point) {
     return std::array<double, 2>{x.fraction(point[0]), y.fraction(point[1])};
@@ -27,7 +28,7 @@ void write_contour_levels(std::ostream& script, const std::vector<ContourLoop>& 
     for (std::size_t step = 0; step < size; ++step) {
       const auto& point = loop.points[(number * size / 5 + step) % size];  // not all on one side
       const std::array<double, 2> at = fraction(point);
-      if (at[0] < 0.06 || at[0] > 0.94 || at[1] < 0.05 || at[1] > 0.95) continue;
+      if (at[0] < 0.06 || at[0] > 0.94 || at[1] < 0.05 || at[1] > 0.95 || (shown && !shown(point))) continue;
       if (std::any_of(full.begin(), full.end(), [&](const auto& other) {
             return std::abs(other[0] - at[0]) < 1.4 * apart && std::abs(other[1] - at[1]) < 0.7 * apart;
           }))

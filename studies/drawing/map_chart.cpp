@@ -114,7 +114,20 @@ class MapDrawing : PictureBuilder {
     if (const auto peak = map_peak(request_))
       marks.push_back(
           {request_.field.x[*peak % request_.field.x.size()], request_.field.y[*peak / request_.field.x.size()]});
-    write_contour_levels(script(), loops, x_, y_, marks);
+    write_contour_levels(script(), loops, x_, y_, marks,
+                         [&](const std::array<double, 2>& point) { return is_answered(point); });
+  }
+
+  /// Whether the nodes around a place all have answers.
+  bool is_answered(const std::array<double, 2>& point) const {
+    const PlaneField& field = request_.field;
+    const auto before = [](const std::vector<double>& places, double at) {
+      const auto above = std::upper_bound(places.begin(), places.end(), at) - places.begin();
+      return static_cast<std::size_t>(std::clamp<std::ptrdiff_t>(above - 1, 0, std::ssize(places) - 2));
+    };
+    const std::size_t column = before(field.x, point[0]), row = before(field.y, point[1]);
+    return std::isfinite(field.at(column, row)) && std::isfinite(field.at(column + 1, row)) &&
+           std::isfinite(field.at(column, row + 1)) && std::isfinite(field.at(column + 1, row + 1));
   }
 
   /// Contours of a field whose missing nodes are filled, in the units of the axes.
@@ -128,21 +141,31 @@ class MapDrawing : PictureBuilder {
     return loops;
   }
 
-  /// Blanks the cells around nodes without an answer.
+  /// Blanks the cells around nodes without an answer, and those around nodes without a steady state in grey.
   void blank() {
+    const auto steady = [&](MapNode node) { return node != MapNode::no_steady_state; };
+    blank("unsteady", "fc rgb '#D0D0D0'", [&](MapNode node) { return !steady(node); });
+    blank("blank", "fc rgb 'white'", steady);
+    if (!std::all_of(request_.nodes.begin(), request_.nodes.end(), steady))
+      explain("boxes fc rgb '#D0D0D0' fs solid border lc rgb '#444444'", "no steady state");
+    mark(MapNode::unanswered, "points pt 2 ps 0.7 lw 1.5 lc rgb '#444444'", "no answer");
+    mark(MapNode::not_converged, "points pt 6 ps 0.7 lw 1.5 lc rgb '#444444'", "not converged");
+  }
+
+  /// The cells around nodes of some kind that have no answer.
+  template <class OfKind>
+  void blank(std::string_view name, const std::string& colour, const OfKind& of_kind) {
     const PlaneField& field = request_.field;
     for (std::size_t row = 0; row < field.y.size(); ++row)
       for (std::size_t column = 0; column < field.x.size(); ++column) {
-        if (std::isfinite(field.at(column, row))) continue;
+        if (std::isfinite(field.at(column, row)) || !of_kind(request_.nodes[row * field.x.size() + column])) continue;
         const double left = field.x[column - std::min<std::size_t>(column, 1)],
                      low = field.y[row - std::min<std::size_t>(row, 1)];
         const double right = field.x[std::min(column + 1, field.x.size() - 1)],
                      top = field.y[std::min(row + 1, field.y.size() - 1)];
-        plot_block("blank", {{left, low}, {right, low}, {right, top}, {left, top}, {left, low}},
-                   "filledcurves closed lc rgb 'white'");
+        plot_block(name, {{left, low}, {right, low}, {right, top}, {left, top}, {left, low}},
+                   "filledcurves closed " + colour);
       }
-    mark(MapNode::unanswered, "points pt 2 ps 0.7 lw 1.5 lc rgb '#444444'", "no answer");
-    mark(MapNode::not_converged, "points pt 6 ps 0.7 lw 1.5 lc rgb '#444444'", "not converged");
   }
 
   void mark(MapNode kind, const std::string& look, const std::string& meaning) {

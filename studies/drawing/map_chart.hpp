@@ -4,14 +4,14 @@
 /// perceptually uniform colours; axes and values may be logarithmic.
 ///
 /// Around a node without an answer the map is blank, and the node bears a cross, or a hollow mark if it has a value
-/// that is not converged.
+/// that is not converged. Where there is no steady state it is grey: the region that a body does not bear.
 
 #include "studies/drawing/chart.hpp"
 #include "studies/drawing/contour_loops.hpp"
 
 namespace rollres {
 
-enum class MapNode : signed char { answered, not_converged, unanswered, not_computed };
+enum class MapNode : signed char { answered, not_converged, unanswered, no_steady_state, not_computed };
 
 struct MapPoint {
   double x = 0, y = 0;

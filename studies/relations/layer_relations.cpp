@@ -29,6 +29,7 @@ std::vector<double> cut_thickness(Dice& dice, double thickness, double width, in
 
 RelatedPair cut(Dice& dice, RollingScene scene, int pieces) {
   leave_softening_out(scene);
+  scene.thermal_sublayers = 1;  // those of the pieces would have other middles
   RollingScene other = scene;
   const double width = dice.log_uniform(0.1, 10) * estimate_contact(scene).half_width;
   const auto lower = static_cast<int>(scene.lower_layers.size());

@@ -23,7 +23,7 @@ struct ComparedOutput {
   double points = 0;  ///< with continuous edges, of a peak that is looked for between the points of a solution [1]
 };
 
-constexpr std::array<ComparedOutput, 39> compared_outputs{{{"rolling_resistance", ComparedOutput::resistance},
+constexpr std::array<ComparedOutput, 41> compared_outputs{{{"rolling_resistance", ComparedOutput::resistance},
                                                            {"driving_force", ComparedOutput::force, 0, 1},
                                                            {"driving_torque", ComparedOutput::torque, 0, 1},
                                                            {"rotation_ratio", ComparedOutput::rotation, 5},
@@ -58,6 +58,8 @@ constexpr std::array<ComparedOutput, 39> compared_outputs{{{"rolling_resistance"
                                                            {"surface_temperature", ComparedOutput::temperature},
                                                            {"temperatures[1]", ComparedOutput::temperature},
                                                            {"temperatures[2]", ComparedOutput::temperature},
+                                                           {"sublayer_temperatures[0]", ComparedOutput::temperature},
+                                                           {"sublayer_temperatures[1]", ComparedOutput::temperature},
                                                            {"heat_to_air", ComparedOutput::power},
                                                            {"heat_to_ground", ComparedOutput::power},
                                                            {"heat_to_core", ComparedOutput::power},

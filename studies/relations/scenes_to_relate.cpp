@@ -134,6 +134,7 @@ void draw_heat(Dice& dice, RollingScene& scene) {
   if (core == 0) scene.core_temperature = rounded(dice.uniform(273, 323));
   if (core <= 1) scene.core_heat_transfer = rounded(transfer * dice.log_uniform(0.1, 10));
   if (core == 2) scene.core = CoreHeat::insulated;
+  if (dice.choice(3) == 0) scene.thermal_sublayers = 2 + dice.choice(4);
   for (MaterialInputs* const layer : layer_materials(scene)) {
     layer->temperature.reset();
     if (layer->reference_temperature || dice.choice(3) == 0) continue;

@@ -62,12 +62,16 @@ TEST_CASE("a map has a study's two longest axes, and marks the peak inside", "[s
   CHECK(turned.request.y.name == "speed");
 }
 
-TEST_CASE("a map is blank around a point without an answer and marks it", "[studies][chart]") {
+TEST_CASE("a map is blank around a point without an answer and marks it, and grey where there is no steady state", "[studies][chart]") {
   const TemporaryDirectory scratch;
   const Evaluate failing = [](const RollingScene& scene) {
     if (scene.speed == 1 && *scene.load == 2e4) throw std::runtime_error("no");
     RollingSolution solution = hill(scene);
     if (scene.speed == 100) solution.status = Status::not_converged;
+    if (scene.speed == 0.01) {
+      solution = {};
+      solution.status = Status::no_steady_state;
+    }
     return solution;
   };
   const std::string file = stored_grid(scratch, grid(), failing);
@@ -75,13 +79,14 @@ TEST_CASE("a map is blank around a point without an answer and marks it", "[stud
   const MapRequest request = stored_map(store, {}).request;
   CHECK(request.nodes[7] == MapNode::unanswered);
   CHECK(request.nodes[4] == MapNode::not_converged);
+  CHECK(request.nodes[5] == MapNode::no_steady_state);
   CHECK(std::isnan(request.field.values[7]));
   CHECK(std::isnan(request.field.values[4]));
   const ProgramRun run = run_rollres(
       {"chart", "--db", file, "--map", "rolling_resistance", "--out", (scratch / "map").string()}, closed_form);
   CHECK(run.status == 0);
-  CHECK_THAT(run.err, Contains("4 of 15 points have no answer"));
-  CHECK_THAT(file_text(scratch / "map.svg"), Contains("no answer") && Contains("not converged"));
+  CHECK_THAT(run.err, Contains("7 of 15 points have no answer"));
+  CHECK_THAT(file_text(scratch / "map.svg"), Contains("no answer") && Contains("not converged") && Contains("no steady state"));
 }
 
 TEST_CASE("a study file asks for a map as for any chart", "[studies][chart]") {
