@@ -136,7 +136,8 @@ class TemperatureSearch {
     std::vector<double> excess;
     for (const double at : all) excess.push_back(excess_between(at));
     const std::size_t before = samples_.size();
-    if (!(excess.front() > 0) && found_.states.empty()) refine(all.front(), all.front(), false);
+    // Below it the layers would be colder than all that takes their heat: a state there is stable.
+    if (!(excess.front() > 0) && found_.states.empty()) refine(all.front(), all.front(), true);
     for (std::size_t i = 1; i < all.size() && !found_.unanswered; ++i)
       if ((excess[i - 1] > 0) != (excess[i] > 0) && !has_state_between(all[i - 1], all[i]))
         refine(all[i - 1], all[i], excess[i - 1] > 0);

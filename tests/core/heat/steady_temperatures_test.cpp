@@ -84,6 +84,17 @@ TEST_CASE("a narrow peak above a cold start has a cold and a warm state, both st
   }
 }
 
+// Fails where the state at the coldest temperature counts as unstable: the unstable one beside it was left out.
+TEST_CASE("a cover that loses nothing in the cold has a stable state there, and an unstable one between",
+          "[core][heat]") {
+  const NarrowPeak peak{263, 150, std::exp(40), 0.6};
+  REQUIRE(peak.excess(peak.air) == 0);
+  const Counted counted = search(peak);
+  REQUIRE(counted.found.states.size() == 3);
+  CHECK(counted.found.states[0].temperature == peak.air);
+  for (std::size_t i = 0; i < 3; ++i) CHECK(counted.found.states[i].stable == (i != 1));
+}
+
 // What the estimate does not see, as states that touch one another within its error, may be missed.
 TEST_CASE("all states of random peaks are found that a dense scan finds", "[core][heat]") {
   std::mt19937 random(3);
