@@ -39,9 +39,9 @@ std::optional<ModelLayer> as_one(const std::vector<ModelLayer>& layers) {
 }
 
 /// The only layer that yields: the one under the body or, on a foundation that is rigid beside it, the coating.
-std::optional<ModelLayer> only_layer(const ContactModel& model) {
+std::optional<ModelLayer> only_layer(const ContactModel& model, double half) {
   if (model.coating.empty()) return as_one(model.foundation);
-  return model.ring() && share_of_coating(model) > rigid_but_for ? as_one(model.coating) : std::nullopt;
+  return model.ring() && share_of_coating(model, half) > rigid_but_for ? as_one(model.coating) : std::nullopt;
 }
 
 bool of_a_fitted_kind(const ContactModel& model) {
@@ -67,8 +67,8 @@ LinearityError relative(double logarithm, double scatter) {
 
 std::optional<LinearityError> linearity_error(const ContactModel& model, const RollingSolution& linear) {
   if (model.loaded || !of_a_fitted_kind(model) || linear.method == Method::finite_strain) return {};
-  const std::optional<ModelLayer> layer = only_layer(model);
   const double half = 0.5 * (linear.leading_edge - linear.trailing_edge);
+  const std::optional<ModelLayer> layer = only_layer(model, half);
   if (!layer || layer->poisson_ratio < least_poisson || !resists_by_its_loss(model, linear, half)) return {};
   if (std::isinf(layer->layer_thickness)) {
     const double slope = half / model.radius;
@@ -99,7 +99,7 @@ std::optional<LinearityError> linearity_error(const ContactModel& model, const R
 }
 
 double strain_number(const ContactModel& model, const RollingSolution& solution) {
-  const std::optional<ModelLayer> layer = only_layer(model);
+  const std::optional<ModelLayer> layer = only_layer(model, 0.5 * (solution.leading_edge - solution.trailing_edge));
   const double thickness = layer ? layer->layer_thickness : total_thickness(model);
   return std::isfinite(thickness) ? (model.loaded ? solution.peak_deflection : solution.approach) / thickness : NAN;
 }

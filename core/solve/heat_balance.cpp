@@ -90,7 +90,7 @@ class HeatBalanceSolution {
     };
     problem.difference = 1e-2;
     problem.most_evaluations = 20 + 10 * static_cast<int>(depths_.size());
-    if (!fixed_point(problem, as_vector(first_temperatures(mean)))) return std::nullopt;
+    if (!fixed_point(problem, as_vector(first_temperatures(mean))) || !answer) return std::nullopt;
     const double base = answer->depth.profile.mean_without_loss(), found = answer->depth.profile.mean();
     answers_.insert_or_assign(mean, std::move(*answer));
     return HeatBalance{base, found - base};
@@ -204,20 +204,50 @@ class HeatBalanceSolution {
     }
   }
 
-  /// What one temperature for all warmed layers, or for each sublayer, changes: beside finer sublayers as warm as the
-  /// profile, which stays as it is.
+  /// The model in finer sublayers, as warm as the profile that they make under the tractions of an answer, with the
+  /// power that the estimate of its change gives.
+  ContactModel in_finer_sublayers(int in_each, const ResistanceChange& over, const TemperatureProfile& profile,
+                                  const RollingSolution& solution) const {
+    constexpr double near_enough = 3e-2;  // of the rise
+    const std::vector<double> depths = sublayer_depths(scene_, in_each);
+    const double rise = solution.mean_temperature - profile.mean_without_loss();
+    const auto at = [&](const Eigen::VectorXd& temperatures) {
+      const ContactModel finer = model_.with_temperatures(bounded({temperatures.begin(), temperatures.end()}));
+      return std::isfinite(solution.rotation_ratio) ? finer.with_flow(solution.rotation_ratio) : finer;
+    };
+    RollingSolution changed = solution;
+    FixedPointProblem problem;
+    problem.map = [&](const Eigen::VectorXd& temperatures) -> std::optional<Eigen::VectorXd> {
+      const ContactModel finer = at(temperatures);
+      const double change = over(finer).value;
+      if (!(change > -1)) return std::nullopt;
+      changed.rolling_resistance = (1 + change) * solution.rolling_resistance;
+      changed.frictional_loss = (1 + change) * solution.frictional_loss;
+      const WarmedDepth depth = warmed_depth(scene_, finer, changed);
+      Eigen::VectorXd made(temperatures.size());
+      for (std::size_t i = 0; i < depths.size(); ++i) made(static_cast<Eigen::Index>(i)) = depth.profile.at(depths[i]);
+      return made;
+    };
+    problem.near = [&](const Eigen::VectorXd& x, const Eigen::VectorXd& made) {
+      return (made - x).cwiseAbs().maxCoeff() <= near_enough * rise;
+    };
+    problem.difference = near_enough * rise;
+    problem.most_evaluations = 12;
+    Eigen::VectorXd start(static_cast<Eigen::Index>(depths.size()));
+    for (std::size_t i = 0; i < depths.size(); ++i) start(static_cast<Eigen::Index>(i)) = profile.at(depths[i]);
+    return at(fixed_point(problem, start).value_or(start));
+  }
+
+  /// What one temperature for all warmed layers, or for each sublayer, changes.
   void assume_one_temperature(const TemperatureProfile& profile, RollingSolution& solution) const {
     if (!depends_on_temperature(scene_)) return;
     constexpr int least = 6, finer = 3;
-    const auto as_warm = [&](int in_each) {
-      std::vector<double> temperatures = sublayer_depths(scene_, in_each);
-      for (double& at : temperatures) at = profile.at(at);
-      return model_.with_temperatures(bounded(std::move(temperatures)));
-    };
-    const ContactModel one =
-        in_sublayers() ? as_warm(in_each_) : ContactModel(at_temperature(scene_, solution.mean_temperature));
-    const auto [change, scatter] =
-        ResistanceChange(one, half_length(solution))(as_warm(std::max(least, finer * in_each_)));
+    const int in_each = std::max(least, finer * in_each_);
+    const ResistanceChange over(
+        model_.with_temperatures(in_sublayers() ? solution.sublayer_temperatures
+                                                : std::vector<double>(depths_.size(), solution.mean_temperature)),
+        half_length(solution));
+    const auto [change, scatter] = over(in_finer_sublayers(in_each, over, profile, solution));
     if (!std::isfinite(change)) return;
     const std::string range =
         message_text<4>("the warmed layers are between ", std::min(profile.face(), profile.bond()), " and ",
@@ -229,8 +259,7 @@ class HeatBalanceSolution {
     if (std::abs(change) > far)
       solution.warnings.push_back("heat: " + range +
                                   message_text<2>(": layers as warm as they are would change R_r by about ",
-                                                  100 * change,
-                                                  " %: give thermal_sublayers = ", std::max(least, finer * in_each_)));
+                                                  100 * change, " %: give thermal_sublayers = ", in_each));
   }
 
   const RollingScene& scene_;

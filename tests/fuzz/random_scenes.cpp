@@ -184,15 +184,11 @@ void mend(RollingScene& scene, const std::string& line, Dice& dice) {
   mend(scene, ordinary(), line, dice, [](auto& inputs, auto&& visitor) { visit_inputs(inputs, visitor); });
 }
 
-/// Asks for the method that alone feels some of the inputs, and seldom finds all of its rules kept.
-void strain_finitely(RollingScene& scene) {
-  scene.method = Method::finite_strain;
+/// Leaves a straight single passage of a plain cylinder: what some chapters ask for, and seldom find by chance.
+void roll_straight(RollingScene& scene) {
   scene.indenter = Indenter::cylinder;
   scene.inertia = Inertia::off;
-  scene.interior = Interior::off;
   scene.period.reset();
-  scene.adhesion_threshold = 0;
-  scene.heat = Heat::off;
   scene.transverse_radius.reset();
   scene.profile_places.clear();
   scene.profile_heights.clear();
@@ -203,6 +199,32 @@ void strain_finitely(RollingScene& scene) {
   scene.axial_force.reset();
   scene.skew_angle.reset();
   scene.camber_angle = scene.pivot = 0;
+}
+
+/// Lets its loss warm the layers.
+void warm(Dice& dice, RollingScene& scene) {
+  roll_straight(scene);
+  scene.kinematics = Kinematics::consistent;
+  scene.heat = Heat::on;
+  scene.thermal_conductivity = dice.log_uniform(0.1, 1);
+  scene.heat_capacity = dice.log_uniform(1e6, 3e6);
+  scene.surface_heat_transfer = dice.log_uniform(2, 200);
+  scene.ambient_temperature = 250 + 80 * dice.log_uniform(0.1, 1);
+  scene.turn_length.reset();
+  if (scene.coating_layers.empty()) scene.turn_length = dice.log_uniform(0.1, 100);
+  for (BondedLayers* const layers : {&scene.lower_layers, &scene.coating_layers})
+    for (BondedLayer& layer : *layers) layer.temperature.reset();
+  scene.temperature.reset();
+}
+
+/// Asks for the method that alone feels some of the inputs, and seldom finds all of its rules kept.
+void strain_finitely(Dice& dice, RollingScene& scene) {
+  roll_straight(scene);
+  scene.method = Method::finite_strain;
+  scene.interior = Interior::off;
+  scene.adhesion_threshold = 0;
+  scene.heat = Heat::off;
+  if (!scene.coating_layers.empty() && dice.one_in(4)) scene.coating_layers.front().yeoh_second = 0.1;
   if (!scene.coating_layers.empty() && scene.static_shear_modulus) scene.static_shear_modulus = 1e17;
 }
 
@@ -260,7 +282,9 @@ RollingScene random_scene(std::uint64_t seed) {
     visit_inputs(scene, Change(dice, every, decades));
     if (dice.one_in(4)) widen_spectra(dice, scene);
     if (dice.one_in(8))
-      strain_finitely(scene);
+      strain_finitely(dice, scene);
+    else if (dice.one_in(16))
+      warm(dice, scene);
     else if (dice.one_in(10))
       press(dice, scene);
     else if (dice.one_in(12))

@@ -24,7 +24,7 @@ struct Different {
   double next = 0.1;
   void operator()(const Quantity&, double& value) { value = next += 1.0 / 3; }
   void operator()(const Quantity&, std::optional<double>& value) { value = next += 1.0 / 7; }
-  void operator()(const Quantity&, int& value) { value = static_cast<int>(next += 1); }
+  void operator()(const Quantity&, int& value) { value = static_cast<int>(next += 2); }
   void operator()(const Quantity& quantity, std::string& value) {
     value = "text of " + std::string(quantity.key) + " μ";
   }
