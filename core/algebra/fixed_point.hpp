@@ -21,7 +21,7 @@ struct FixedPointProblem {
 };
 
 /// @return the x of the last evaluation: the one that was near, or that which missed least; nothing where the map has
-/// no value on the way
+/// no value at the start
 std::optional<Eigen::VectorXd> fixed_point(const FixedPointProblem& problem, const Eigen::VectorXd& start);
 
 }  // namespace rollres

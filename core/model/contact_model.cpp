@@ -3,8 +3,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <stdexcept>
 #include <utility>
 
+#include "core/messages/message_text.hpp"
 #include "core/model/scene_rules.hpp"
 #include "core/scene/warmed_layers.hpp"
 
@@ -211,6 +213,9 @@ ContactModel ContactModel::with_softening(const std::vector<SofteningFactors>& f
 void ContactModel::warm(const std::vector<double>& temperatures) {
   std::vector<ModelLayer>& layers = coating.empty() ? foundation : coating;
   const std::size_t in_each = temperatures.size() / layers.size();
+  if (in_each == 0 || in_each * layers.size() != temperatures.size())
+    throw std::invalid_argument(message_text("sublayer_temperatures: ", temperatures.size(),
+                                             " numbers are not as many for each of ", layers.size(), " layers"));
   const BondedLayers cut = in_sublayers(BondedLayers(layers.begin(), layers.end()), temperatures);
   layers.clear();
   for (const BondedLayer& sublayer : cut) {

@@ -275,6 +275,21 @@ TEST_CASE("storage and loss that contradict each other over decades leave the ro
   }
 }
 
+// Fails where layers of the same table are taken as independent: the halves would state an error smaller by a root.
+TEST_CASE("two halves of a layer leave the rolling resistance as open as the layer does",
+          "[core][material][rolling_contact]") {
+  const PronySeries series{1e6, {{1e6, 1e-3}, {2e6, 5e-2}, {7e5, 2}}};
+  RollingScene whole = on_rows(on_solid(series, 5), sampled(series, 5), 0.02, 1);
+  whole.layer_thickness = 0.01;
+  RollingScene halves = whole;
+  halves.layer_thickness *= 0.5;
+  halves.lower_layers = {static_cast<const BondedLayer&>(halves)};
+  const RollingSolution one = solve(whole), two = solve(halves);
+  CHECK(two.rolling_resistance == Approx(one.rolling_resistance).epsilon(1e-6));
+  CHECK(one.error_estimate > 1e-3);
+  CHECK(two.error_estimate == Approx(one.error_estimate).epsilon(0.02));
+}
+
 TEST_CASE("a master curve that ends far from the contact's frequencies says so", "[core][material][rolling_contact]") {
   const PronySeries series{1e6, {{1e6, 1e-3}, {2e6, 5e-2}, {7e5, 2}}};
   MasterCurve curve = sampled(series, 5);

@@ -330,6 +330,12 @@ TEST_CASE("all states of a cover in sublayers are found where a mean temperature
   const RollingSolution s = converged(scene);
   REQUIRE(s.temperatures.size() == 3);
   CHECK_THAT(s.warnings.back(), Contains("more than one steady state"));
+  RollingSolution damaged = s;
+  damaged.sublayer_temperatures.clear();
+  damaged.sublayer_temperatures.resize(5, 300);
+  scene.coating_layers.push_back(scene.coating_layers[0]);
+  CHECK_THROWS_WITH(ContactModel(scene).with_answer(damaged),
+                    "sublayer_temperatures: 5 numbers are not as many for each of 2 layers");
   // Materials that do not follow the temperature are not cut.
   RollingScene constant = warm_wheel();
   constant.thermal_sublayers = 4;
