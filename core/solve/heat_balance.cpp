@@ -208,13 +208,20 @@ class HeatBalanceSolution {
   /// power that the estimate of its change gives.
   ContactModel in_finer_sublayers(int in_each, const ResistanceChange& over, const TemperatureProfile& profile,
                                   const RollingSolution& solution) const {
-    constexpr double near_enough = 3e-2;  // of the rise
+    constexpr double near_enough = 0.02, nothing = 0.01;  // of the difference between warmest and coldest; [K]
     const std::vector<double> depths = sublayer_depths(scene_, in_each);
-    const double rise = solution.mean_temperature - profile.mean_without_loss();
     const auto at = [&](const Eigen::VectorXd& temperatures) {
       const ContactModel finer = model_.with_temperatures(bounded({temperatures.begin(), temperatures.end()}));
       return std::isfinite(solution.rotation_ratio) ? finer.with_flow(solution.rotation_ratio) : finer;
     };
+    const auto at_middles = [&](const TemperatureProfile& of) {
+      Eigen::VectorXd temperatures(static_cast<Eigen::Index>(depths.size()));
+      for (Eigen::Index i = 0; i < temperatures.size(); ++i)
+        temperatures(i) = of.at(depths[static_cast<std::size_t>(i)]);
+      return temperatures;
+    };
+    const Eigen::VectorXd start = at_middles(profile);
+    const double difference = near_enough * (start.maxCoeff() - start.minCoeff()) + nothing;
     RollingSolution changed = solution;
     FixedPointProblem problem;
     problem.map = [&](const Eigen::VectorXd& temperatures) -> std::optional<Eigen::VectorXd> {
@@ -223,18 +230,13 @@ class HeatBalanceSolution {
       if (!(change > -1)) return std::nullopt;
       changed.rolling_resistance = (1 + change) * solution.rolling_resistance;
       changed.frictional_loss = (1 + change) * solution.frictional_loss;
-      const WarmedDepth depth = warmed_depth(scene_, finer, changed);
-      Eigen::VectorXd made(temperatures.size());
-      for (std::size_t i = 0; i < depths.size(); ++i) made(static_cast<Eigen::Index>(i)) = depth.profile.at(depths[i]);
-      return made;
+      return at_middles(warmed_depth(scene_, finer, changed).profile);
     };
     problem.near = [&](const Eigen::VectorXd& x, const Eigen::VectorXd& made) {
-      return (made - x).cwiseAbs().maxCoeff() <= near_enough * rise;
+      return (made - x).cwiseAbs().maxCoeff() <= difference;
     };
-    problem.difference = near_enough * rise;
+    problem.difference = difference;
     problem.most_evaluations = 12;
-    Eigen::VectorXd start(static_cast<Eigen::Index>(depths.size()));
-    for (std::size_t i = 0; i < depths.size(); ++i) start(static_cast<Eigen::Index>(i)) = profile.at(depths[i]);
     return at(fixed_point(problem, start).value_or(start));
   }
 
