@@ -8,12 +8,12 @@
 
 #include "core/algebra/fixed_point.hpp"
 #include "core/estimate/assumptions.hpp"
-#include "core/estimate/composite_estimate.hpp"
 #include "core/estimate/grid_choice.hpp"
 #include "core/heat/loss_estimate.hpp"
 #include "core/heat/steady_temperatures.hpp"
 #include "core/messages/message_text.hpp"
 #include "core/scene/warmed_layers.hpp"
+#include "core/solve/one_temperature.hpp"
 
 namespace rollres {
 
@@ -204,52 +204,20 @@ class HeatBalanceSolution {
     }
   }
 
-  /// The model in finer sublayers, as warm as the profile that they make under the tractions of an answer, with the
-  /// power that the estimate of its change gives.
-  ContactModel in_finer_sublayers(int in_each, const ResistanceChange& over, const TemperatureProfile& profile,
-                                  const RollingSolution& solution) const {
-    constexpr double near_enough = 0.02, nothing = 0.01;  // of the difference between warmest and coldest; [K]
-    const std::vector<double> depths = sublayer_depths(scene_, in_each);
-    const auto at = [&](const Eigen::VectorXd& temperatures) {
-      const ContactModel finer = model_.with_temperatures(bounded({temperatures.begin(), temperatures.end()}));
-      return std::isfinite(solution.rotation_ratio) ? finer.with_flow(solution.rotation_ratio) : finer;
-    };
-    const auto at_middles = [&](const TemperatureProfile& of) {
-      Eigen::VectorXd temperatures(static_cast<Eigen::Index>(depths.size()));
-      for (Eigen::Index i = 0; i < temperatures.size(); ++i)
-        temperatures(i) = of.at(depths[static_cast<std::size_t>(i)]);
-      return temperatures;
-    };
-    const Eigen::VectorXd start = at_middles(profile);
-    const double difference = near_enough * (start.maxCoeff() - start.minCoeff()) + nothing;
-    RollingSolution changed = solution;
-    FixedPointProblem problem;
-    problem.map = [&](const Eigen::VectorXd& temperatures) -> std::optional<Eigen::VectorXd> {
-      const ContactModel finer = at(temperatures);
-      const double change = over(finer).value;
-      if (!(change > -1)) return std::nullopt;
-      changed.rolling_resistance = (1 + change) * solution.rolling_resistance;
-      changed.frictional_loss = (1 + change) * solution.frictional_loss;
-      return at_middles(warmed_depth(scene_, finer, changed).profile);
-    };
-    problem.near = [&](const Eigen::VectorXd& x, const Eigen::VectorXd& made) {
-      return (made - x).cwiseAbs().maxCoeff() <= difference;
-    };
-    problem.difference = difference;
-    problem.most_evaluations = 12;
-    return at(fixed_point(problem, start).value_or(start));
-  }
-
   /// What one temperature for all warmed layers, or for each sublayer, changes.
   void assume_one_temperature(const TemperatureProfile& profile, RollingSolution& solution) const {
     if (!depends_on_temperature(scene_)) return;
     constexpr int least = 6, finer = 3;
     const int in_each = std::max(least, finer * in_each_);
-    const ResistanceChange over(
-        model_.with_temperatures(in_sublayers() ? solution.sublayer_temperatures
-                                                : std::vector<double>(depths_.size(), solution.mean_temperature)),
-        half_length(solution));
-    const auto [change, scatter] = over(in_finer_sublayers(in_each, over, profile, solution));
+    const WarmAnswer answer{scene_, solution, profile,
+                            in_sublayers() ? solution.sublayer_temperatures
+                                           : std::vector<double>(depths_.size(), solution.mean_temperature),
+                            [&](const std::vector<double>& temperatures) {
+                              const ContactModel model = model_.with_temperatures(bounded(temperatures));
+                              return std::isfinite(solution.rotation_ratio) ? model.with_flow(solution.rotation_ratio)
+                                                                            : model;
+                            }};
+    const auto [change, scatter] = change_by_sublayers(answer, in_each);
     if (!std::isfinite(change)) return;
     const std::string range =
         message_text<4>("the warmed layers are between ", std::min(profile.face(), profile.bond()), " and ",

@@ -11,7 +11,7 @@
 #include "tests/core/converged.hpp"
 #include "tests/core/heat/warm_wheel.hpp"
 
-// Covers loss_with_depth and loss_estimate, too.
+// Covers loss_with_depth, loss_estimate and one_temperature, too.
 
 using namespace rollres;
 using Catch::Matchers::Contains;
