@@ -13,10 +13,8 @@ namespace rollres {
 
 namespace {
 
-constexpr int nodes_of_panel = 6;
-
 double sum_of(const std::vector<LossPanel>& panels) {
-  const QuadratureRule& rule = gauss_rule(nodes_of_panel);
+  const QuadratureRule& rule = gauss_rule(static_cast<int>(panels.front().loss.size()));
   double sum = 0;
   for (const LossPanel& panel : panels)
     for (std::size_t i = 0; i < rule.nodes.size(); ++i)
@@ -26,7 +24,7 @@ double sum_of(const std::vector<LossPanel>& panels) {
 
 /// Of layers on one side of the contact, as they stand there.
 std::vector<LossPanel> panels_of(const LayeredMedium& medium, double flow, const ContactModel& model,
-                                 const SurfaceFields& fields, double half) {
+                                 const SurfaceFields& fields, double half, int nodes_of_panel) {
   const std::vector<WeightedLine> weighted = lines_across(medium, model.speed, half, nodes_of_panel);
   std::vector<InteriorLine> lines;
   for (const WeightedLine& line : weighted) lines.push_back(line.line);
@@ -38,7 +36,7 @@ std::vector<LossPanel> panels_of(const LayeredMedium& medium, double flow, const
   }
   double depth = 0;
   for (std::size_t i = 0; i < weighted.size(); ++i) {
-    if (i % nodes_of_panel == 0) panels.push_back({depth, depth, {}});
+    if (i % static_cast<std::size_t>(nodes_of_panel) == 0) panels.push_back({depth, depth, {}});
     panels.back().to = depth += weighted[i].weight;
     panels.back().loss.push_back(loss(static_cast<Eigen::Index>(i)));
   }
@@ -47,15 +45,16 @@ std::vector<LossPanel> panels_of(const LayeredMedium& medium, double flow, const
 
 }  // namespace
 
-LossWithDepth loss_with_depth(const ContactModel& model, const RollingSolution& solution) {
+LossWithDepth loss_with_depth(const ContactModel& model, const RollingSolution& solution, int nodes_of_panel) {
   const double half = 0.5 * (solution.leading_edge - solution.trailing_edge);
   const double whole = solution.rolling_resistance * model.speed;
   LossWithDepth lost;
-  lost.panels = panels_of(foundation_of(model), 1, model, solution.fields, half);
+  lost.panels = panels_of(foundation_of(model), 1, model, solution.fields, half, nodes_of_panel);
   double inside = sum_of(lost.panels), under = 0;
   if (!model.coating.empty()) {
     under = inside;
-    lost.panels = panels_of(coating_of(model), model.flow, model, mirrored_shear(solution.fields), half);
+    lost.panels =
+        panels_of(coating_of(model), model.flow, model, mirrored_shear(solution.fields), half, nodes_of_panel);
     inside = sum_of(lost.panels);
   }
   const double viscous = std::isfinite(solution.frictional_loss) ? whole - solution.frictional_loss : whole;
