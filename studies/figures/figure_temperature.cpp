@@ -42,8 +42,21 @@ PictureText temperature_lines(const Figure& figure, const FigureSource& source, 
     temperatures.push_back({depth / length.factor, temperature});
     x.include(temperature);
   }
-  const double mean = scale.number(source.solution.mean_temperature);
-  x.include(mean);
+  // What the materials are taken at: one temperature, or one in each sublayer.
+  const std::vector<double>& sublayers = source.solution.sublayer_temperatures;
+  std::vector<DataRow> taken;
+  const auto take = [&](double temperature, double from, double to) {
+    const double number = scale.number(temperature);
+    x.include(number);
+    for (const double depth : {from, to}) taken.push_back({number, depth / length.factor});
+  };
+  double depth = 0;
+  for (std::size_t i = 0; i < sublayers.size(); ++i) {
+    const double thickness = (solved.coating.empty() ? solved.foundation : solved.coating)[i].layer_thickness;
+    take(sublayers[i], depth, depth + thickness);
+    depth += thickness;
+  }
+  if (sublayers.empty()) take(source.solution.mean_temperature, 0, warmed.path.thickness);
   x.widen(0.06, 0.06);
   const ScaledUnit power = scaled_unit("W/m3", largest_loss);
   PictureBuilder picture(figure.title, files, {.name = "temperature", .symbol = "T", .unit = scale.name}, x,
@@ -59,12 +72,12 @@ PictureText temperature_lines(const Figure& figure, const FigureSource& source, 
   picture.plot(lost + " using 3:1 with filledcurves closed lc rgb '#D55E00' fs transparent solid 0.3 noborder notitle");
   const std::string data =
       picture.add("temperature", "depth [" + length.name + "], T [" + scale.name + "]", temperatures);
-  constexpr const char *line = "lines lw 2.5 lc rgb '#0072B2'", *taken = "lines lw 2 dt (5,3) lc rgb '#444444'";
+  constexpr const char *line = "lines lw 2.5 lc rgb '#0072B2'", *dashed = "lines lw 2 dt (5,3) lc rgb '#444444'";
   picture.plot(data + " using 2:1 with " + std::string(line) + " notitle");
-  picture.plot(picture.add("mean", "T, depth", std::vector<DataRow>{{mean, y.lowest}, {mean, y.highest}}) +
-               " using 1:2 with " + std::string(taken) + " notitle");
+  picture.plot(picture.add("materials", "T, depth", taken) + " using 1:2 with " + std::string(dashed) + " notitle");
   picture.explain(LegendEntry::plain(line, "temperature"));
-  picture.explain(LegendEntry::plain(taken, "mean by the loss, of the materials"));
+  picture.explain(LegendEntry::plain(
+      dashed, sublayers.empty() ? "mean by the loss, of the materials" : "of the materials in each sublayer"));
   picture.explain(LegendEntry::plain(
       "boxes fc rgb '#D55E00' fs transparent solid 0.3 noborder",
       "power lost, up to " + short_number(largest_loss / power.factor, 3) + " " + typeset_unit(power.name)));

@@ -297,4 +297,18 @@ TEST_CASE("figure 18: the temperature goes from the face to the bond, and the po
   const double power = s.rolling_resistance * belt.speed / (*belt.width * *belt.turn_length);  // [W/m2]
   const double unit = power / (1e-3 * sum);
   CHECK(std::pow(10, std::round(std::log10(unit))) == Approx(unit).epsilon(0.05));
+  CHECK(blocks.at("materials").front().size() == 2);
+
+  // In sublayers the materials stand in steps, whose middles lie on the profile.
+  belt.reference_temperature = 293.15;
+  belt.wlf_c1 = 8.86;
+  belt.wlf_c2 = 101.6;
+  belt.thermal_sublayers = 4;
+  const auto in_steps = figure_blocks(temperature_lines(figure(18), source_of(belt), no_files).data);
+  const FigureBlock& taken = in_steps.at("materials").front();  // T [degC], depth [mm]
+  REQUIRE(taken.size() == 8);
+  CHECK(taken.back()[1] == Approx(1e3 * belt.layer_thickness));
+  const FigureBlock& fine = in_steps.at("temperature").front();  // at each hundredth of the depth
+  for (std::size_t i = 0; i < 4; ++i)
+    CHECK(taken[2 * i][0] == Approx(0.5 * (fine[12 + 25 * i][1] + fine[13 + 25 * i][1])).epsilon(1e-3));
 }
