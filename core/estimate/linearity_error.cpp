@@ -75,9 +75,10 @@ std::optional<LinearityError> linearity_error(const ContactModel& model, const R
     if (!(slope <= largest_slope)) return {};
     return relative(0, scatter_on_half_space * slope);
   }
-  // On a half-space that is rigid beside it a coating has an approach that the scene has not.
-  const double approach =
-      std::isfinite(linear.approach) ? linear.approach : contact_of_width(coating_alone(model), half).approach;
+  // On a half-space that is rigid beside it a layer or a coating has an approach that the scene has not.
+  const double approach = std::isfinite(linear.approach)
+                              ? linear.approach
+                              : contact_of_width(model.coating.empty() ? model : coating_alone(model), half).approach;
   const double omega = model.speed / half, ratio = half / layer->layer_thickness;
   const double strain = approach / layer->layer_thickness;
   if (!(ratio >= least_ratio && ratio <= largest_ratio && strain <= largest_strain)) return {};

@@ -133,3 +133,21 @@ TEST_CASE("what the linear theory misses is unknown where the formula was not fi
   other.stiffening = other.creep_time = 0;
   CHECK(std::isnan(error(other)));
 }
+
+// Crashed: the approach that the scene has not was looked for in a coating that it has not.
+TEST_CASE("of a layer on a half-space that is taken as rigid the linear theory misses what it misses on a rigid base",
+          "[core][estimate][linearity_error]") {
+  RollingScene scene = consistent_cylinder(20e3, 0);
+  scene.tolerance = 1e-3;
+  const RollingSolution on_rigid = solve(scene);
+  BondedLayer ground;
+  ground.layer_thickness = INFINITY;
+  ground.material = MaterialModel::elastic;
+  ground.static_shear_modulus = 1e12;
+  scene.lower_layers = {ground};
+  const RollingSolution on_ground = solve(scene);
+  CHECK_THAT(on_ground.model, Contains("taken as rigid"));
+  CHECK(std::isnan(on_ground.approach));
+  REQUIRE(std::isfinite(on_rigid.model_error));
+  CHECK(on_ground.model_error == Approx(on_rigid.model_error).epsilon(0.02));
+}
