@@ -182,9 +182,8 @@ PatternRefinement::Verdict PatternRefinement::judge(Rise& rise) {
   if (!rise.enough && (rise.checked || !(rise.error < first_check)))
     return rise.costly && rise.told.order >= should_fall && !rise.falling ? Verdict::refuted : Verdict::next_order;
   rise.checked = true;
-  settle_last(rise);
   work_ += work_of_check(problem_, rise.pattern, rise.told.order, rise.edges.contact.half_length());
-  AssessedSpectral assessed = assess(problem_, *last_);
+  AssessedSpectral assessed = settled_and_assessed(rise);
   const bool lawful = accuracy_.in_its_zones(*last_, assessed, rise.told.order);
   if (!lawful) {
     take_over_wrongs(assessed);
@@ -214,14 +213,13 @@ PatternRefinement::Verdict PatternRefinement::judge(Rise& rise) {
 /// A tolerance beyond what rounding and work allow leaves the best answer, better than any grid's.
 bool PatternRefinement::take_last_order(Rise& rise) {
   if (!last_ || !(rise.told.error <= std::max(finer_than_grids, model_.tolerance.value_or(0)))) return false;
-  settle_last(rise);
-  AssessedSpectral assessed = assess(problem_, *last_);
+  AssessedSpectral assessed = settled_and_assessed(rise);
   return keep_best(assessed, rise);
 }
 
-double PatternRefinement::take_coating(SpectralState& state) {
+double PatternRefinement::take_coating(SpectralState& state, const CoatingMoments& now) {
   if (!problem_.side) return 0;
-  const CoatingMoments before = problem_.coating_moments, now = coating_moments(problem_, state);
+  const CoatingMoments before = problem_.coating_moments;
   const CoatingMoments change{now.pressed - before.pressed, now.sheared - before.sheared};
   problem_.coating_moments = now;
   state.driving_force -= problem_.shape.of_coating() * change.pressed;
@@ -231,11 +229,15 @@ double PatternRefinement::take_coating(SpectralState& state) {
 
 bool PatternRefinement::driven() const { return model_.friction_coefficient > 0 && model_.drive != Drive::rotation; }
 
-/// Where the drive does not ask for M and N they matter to R_r alone: orders tell its changes without their own.
-void PatternRefinement::settle_last(Rise& rise) {
-  if (driven()) return;
-  take_coating(*last_);
-  rise.told.resistance = rise.before = resistance_of(*last_, model_.radius);
+/// Checks the last state. Where the drive does not ask for M and N they matter to R_r alone: orders tell its changes
+/// without their own.
+AssessedSpectral PatternRefinement::settled_and_assessed(Rise& rise) {
+  const SpectralSurface surface(problem_, *last_);
+  if (!driven()) {
+    take_coating(*last_, surface.coating);
+    rise.told.resistance = rise.before = resistance_of(*last_, model_.radius);
+  }
+  return assess(problem_, *last_, surface);
 }
 
 /// Makes a state one whose M and N are those that the drive's row knows: the search goes on, as they hardly depend on
@@ -244,7 +246,7 @@ bool PatternRefinement::settle_coating(Rise& rise, int order, SpectralState& sta
   constexpr int most_passes = 8;
   constexpr double negligible = 0.02 * largest_violation;  // of the load
   for (int pass = 1; problem_.side; ++pass) {
-    const double change = take_coating(state);
+    const double change = take_coating(state, coating_moments(problem_, state));
     if (std::abs(change) <= negligible * state.load || pass == most_passes) break;
     std::optional<SpectralState> next = searched(rise, state.edges, order, rise.residual, most_to_find);
     if (!next) return false;

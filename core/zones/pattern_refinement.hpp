@@ -41,7 +41,7 @@ class PatternRefinement {
 
   /// Takes over what the tractions make of a coating's M and N (S18). @return by how much they change the drive's row
   /// [N/m]
-  double take_coating(SpectralState& state);
+  double take_coating(SpectralState& state, const CoatingMoments& now);
   void start_coating_at(const CoatingMoments& moments) { problem_.coating_moments = moments; }
 
   const SpectralProblem& problem() const { return problem_; }
@@ -61,7 +61,7 @@ class PatternRefinement {
   Verdict judge(Rise& rise);
   bool take_last_order(Rise& rise);
   bool settle_coating(Rise& rise, int order, SpectralState& state);
-  void settle_last(Rise& rise);
+  AssessedSpectral settled_and_assessed(Rise& rise);
   std::optional<SpectralState> searched(Rise& rise, const SpectralEdges& start, int order, double residual,
                                         int most_evaluations);
 

@@ -10,6 +10,7 @@
 #include "core/zones/pattern_refinement.hpp"
 #include "core/zones/spectral_friction_limit.hpp"
 #include "core/zones/spectral_start.hpp"
+#include "core/zones/surface_panels.hpp"
 
 namespace rollres {
 
@@ -39,11 +40,11 @@ class SpectralContact {
     }
     std::optional<SpectralState> smooth = frictionless_start(problem());
     if (!smooth) return {{}, "no contact found without friction"};
-    patterns_.take_coating(*smooth);
     if (model_.friction_coefficient == 0) {
       if (patterns_.refine({}, smooth->edges)) return patterns_.take_best();
       return {{}, "no contact found within the laws"};
     }
+    patterns_.take_coating(*smooth, coating_moments(problem(), *smooth));
     if (try_quick_patterns(*smooth)) return patterns_.take_best();
     if (model_.drive != Drive::rotation)
       if (const std::optional<double> needed = friction_needed(problem(), smooth->edges.contact)) {

@@ -13,12 +13,14 @@ namespace rollres {
 
 namespace {
 
+using Eigen::ArrayX2d;
 using Eigen::ArrayXd;
 using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
 constexpr int most_tail_terms = 4000, most_mixed_tail_terms = 300;
+constexpr double negligible_power = 1e-30;
 
 /// Places that a processor does side by side.
 using Lanes = Eigen::Array<double, 8, 1>;
@@ -37,13 +39,13 @@ Value harmonic_sum(const VectorXd& c, const Value& t, Value before, Value here) 
   return sum;
 }
 
-/// sum c_k T_k(t), and with `first` = 1 sum c_k T_{k+1}(t), ...; beyond |t| = 1 the field's continuation.
+/// sum c_k T_{first+k}(t); beyond |t| = 1 the field's continuation.
 double image_sum(const VectorXd& c, double t, Index first) {
   if (std::abs(t) > 1) {
     const double root = std::sqrt((std::abs(t) - 1) * (std::abs(t) + 1));
     const double factor = std::copysign(1 / (std::abs(t) + root), t);
     double power = std::pow(factor, static_cast<double>(first)), sum = 0;
-    for (Index k = 0; k < c.size() && std::abs(power) > 1e-30; ++k, power *= factor) sum += c(k) * power;
+    for (Index k = 0; k < c.size() && std::abs(power) > negligible_power; ++k, power *= factor) sum += c(k) * power;
     return sum;
   }
   const double angle = std::acos(t);
@@ -66,15 +68,15 @@ Lanes density_sum(const VectorXd& c, const Lanes& t, Index first) {
   return (t.abs() < 1).select(harmonic_sum(c, t, before, here), 0.0);
 }
 
-/// A density at places x, from those of a zone.
-template <class Density>
-ArrayXd by_lanes(const Interval& zone, const ArrayXd& x, const Density& density) {
+/// A function of the place in a zone, at places x.
+template <class Function>
+ArrayXd by_lanes(const Interval& zone, const ArrayXd& x, const Function& function) {
   ArrayXd values(x.size());
   for (Index first = 0; first < x.size(); first += Lanes::SizeAtCompileTime) {
     const Index count = std::min<Index>(x.size() - first, Lanes::SizeAtCompileTime);
     Lanes t = Lanes::Zero();
     for (Index k = 0; k < count; ++k) t(k) = place_in(zone, x(first + k));
-    values.segment(first, count) = density(t).head(count);
+    values.segment(first, count) = function(t).head(count);
   }
   return values;
 }
@@ -109,11 +111,16 @@ SpectralField::SpectralField(const SpectralProblem& problem, const SpectralState
       friction_(state.pattern.shear ? problem.model.friction_coefficient : 0),
       contact_tails_(state.graded ? Tails{} : tails_of(problem, state.pressure, state.edges.contact.half_length())) {
   if (state.graded) return;
+  const VectorXd& phi = state.pressure.coefficients;
+  contact_image_ = Image(contact_tails_, 0.5 * phi);
+  if (state.pattern.shear) tail_image_ = Image(contact_tails_, VectorXd::Zero(phi.size()));
   const double finest = finest_distance(state.edges.contact, state.pressure.coefficients.size());
   if (problem.layered()) of_surface_ = problem.correction->logarithms(finest);
   if (problem.side && problem.side->layered()) of_side_ = problem.side->correction->logarithms(finest);
-  for (std::size_t z = 0; z < state.sticks.size(); ++z)
+  for (std::size_t z = 0; z < state.sticks.size(); ++z) {
     stick_tails_.push_back(tails_of(problem, state.sticks[z], state.edges.sticks[z].half_length()));
+    stick_images_.emplace_back(stick_tails_.back(), -0.5 * state.sticks[z].coefficients);
+  }
   if (state.pattern.shear)
     base_.emplace(state.pattern, state.edges,
                   static_cast<int>(state.pressure.coefficients.size() + mixed_tail().size()),
@@ -132,12 +139,32 @@ Value SpectralField::tail_density(const Tails& tails, const Value& t) const {
   return 2 * density_sum(tails.left, t, tails.kept.size());
 }
 
-double SpectralField::tail_image(const Tails& tails, double t) const {
-  if (tails.left.size() == 0) return 0;
-  if (std::abs(t) > 1) return image_sum(tails.left, t, tails.kept.size());
-  double sum = -image_sum(tails.kept, t, 0);
-  for (Index j = 0; j < tails.rates.size(); ++j) sum += tails.amplitudes(j) * std::exp(tails.rates(j) * (t - 1));
-  return sum;
+SpectralField::Image::Image(const Tails& tails, const VectorXd& weighted)
+    : inside_(-tails.kept), outside_(weighted.size() + tails.left.size()), tails_(tails) {
+  inside_.tail(weighted.size()) += weighted;
+  outside_ << weighted, tails.left;
+}
+
+ArrayXd SpectralField::Image::at(const Interval& zone, const ArrayXd& x) const {
+  return by_lanes(zone, x, [&](const Lanes& t) -> Lanes {
+    const Lanes size = t.abs();
+    Lanes within = Lanes::Zero(), beyond = Lanes::Zero();
+    if (size.minCoeff() <= 1) {
+      const Lanes place = t.max(-1).min(1);
+      within = harmonic_sum(inside_, place, place, Lanes::Ones().eval());
+      for (Index j = 0; j < tails_.rates.size(); ++j)
+        within += tails_.amplitudes(j) * (tails_.rates(j) * (place - 1)).exp();
+    }
+    if (size.maxCoeff() > 1) {
+      const Lanes outer = size.max(1);
+      const Lanes factor = (size > 1).select(t.sign() / (outer + ((outer - 1) * (outer + 1)).sqrt()), 0.0);
+      const double powers = std::log(negligible_power) / std::log(factor.abs().maxCoeff());
+      const Index count = powers < static_cast<double>(outside_.size()) ? static_cast<Index>(powers) : outside_.size();
+      Lanes power = factor;
+      for (Index k = 0; k < count; ++k, power *= factor) beyond += outside_(k) * power;
+    }
+    return (size <= 1).select(within, beyond);
+  });
 }
 
 double SpectralField::pressure(double x) const {
@@ -213,29 +240,31 @@ SpectralField::Slopes SpectralField::added_slopes(const SpectralProblem& part, d
   return sum;
 }
 
-SpectralField::Slopes SpectralField::elastic_slopes(double x, const Slopes& added) const {
+ArrayX2d SpectralField::deep_slopes(const ArrayXd& x) const {
+  ArrayX2d slopes = ArrayX2d::Zero(x.size(), 2);
   if (state_.graded) {
-    const Eigen::Array2d near = state_.graded->near_slopes(problem_, x);
-    return {near(0) + added.w, near(1) + added.u};
+    for (Index k = 0; k < x.size(); ++k) slopes.row(k) = state_.graded->near_slopes(problem_, x(k)).transpose();
+    return slopes;
   }
-  const double t = place_in(state_.edges.contact, x);
-  const double tail = tail_image(contact_tails_, t);
-  const VectorXd& phi = state_.pressure.coefficients;
-  Slopes g{0.5 * image_sum(phi, t, 1) + tail + added.w, added.u};
+  const Interval& contact = state_.edges.contact;
+  slopes.col(0) = contact_image_.at(contact, x);
   if (state_.pattern.shear) {
-    const Eigen::RowVectorXd slope = base_->slope(x);
-    const double m = base_->direction(x);
-    g.u += friction_ * (slope.head(phi.size()).dot(phi) - m * tail);
-    const VectorXd mixed = mixed_tail();
-    if (mixed.size() > 0)
-      g.u += friction_ * (slope.tail(mixed.size()).dot(mixed) + 0.5 * m * image_sum(mixed, t, phi.size() + 1));
-    for (std::size_t z = 0; z < state_.sticks.size(); ++z) {
-      const double s = place_in(state_.edges.sticks[z], x);
-      g.u += tail_image(stick_tails_[z], s) - 0.5 * image_sum(state_.sticks[z].coefficients, s, 1);
+    const VectorXd &phi = state_.pressure.coefficients, mixed = mixed_tail();
+    const ArrayXd tail = tail_image_.at(contact, x);
+    for (Index k = 0; k < x.size(); ++k) {
+      const Eigen::RowVectorXd slope = base_->slope(x(k));
+      const double m = base_->direction(x(k));
+      double sum = slope.head(phi.size()).dot(phi) - m * tail(k);
+      if (mixed.size() > 0)
+        sum +=
+            slope.tail(mixed.size()).dot(mixed) + 0.5 * m * image_sum(mixed, place_in(contact, x(k)), phi.size() + 1);
+      slopes(k, 1) = friction_ * sum;
     }
+    for (std::size_t z = 0; z < state_.sticks.size(); ++z)
+      slopes.col(1) += stick_images_[z].at(state_.edges.sticks[z], x);
   }
-  if (problem_.deep->cross() != 0 && std::abs(t) < 1) g.u += problem_.deep->cross() * pressure(x);
-  return g;
+  if (problem_.deep->cross() != 0) slopes.col(1) += problem_.deep->cross() * pressure(x);
+  return slopes;
 }
 
 SpectralField::Slopes SpectralField::remembered_ahead(const SpectralProblem& part, std::size_t term, double x) const {

@@ -24,13 +24,13 @@ class SpectralField {
   Eigen::ArrayXd shear(const Eigen::ArrayXd& x, const Eigen::ArrayXd& pressure_there) const;
   Zone zone(double x) const;
 
-  /// Slopes dw/dx, du/dx of a layer of unit modulus.
+  /// Elastic slopes dw/dx, du/dx of a layer of unit modulus.
   struct Slopes {
     double w, u;
   };
-  Slopes elastic_slopes(double x) const { return elastic_slopes(x, added_slopes(problem_, x)); }
-  /// The same with what finite thickness adds, a smooth function of x, known.
-  Slopes elastic_slopes(double x, const Slopes& added) const;
+  /// Of a half-space, at places x: [place, w and u].
+  Eigen::ArrayX2d deep_slopes(const Eigen::ArrayXd& x) const;
+  /// What finite thickness adds to them, a smooth function of x.
   /// @param part of what yields: the field's problem, or one side of it
   Slopes added_slopes(const SpectralProblem& part, double x) const;
 
@@ -51,12 +51,23 @@ class SpectralField {
   Eigen::VectorXd mixed_tail() const;
   template <class Value>
   Value tail_density(const Tails& tails, const Value& t) const;
-  double tail_image(const Tails& tails, double t) const;
 
   struct Tails {
     Eigen::VectorXd kept;  // amplitude times series up to the order, summed over terms
     Eigen::VectorXd left;  // and beyond it, from order + 1
     Eigen::VectorXd amplitudes, rates;
+  };
+  /// The slope that a density makes on a half-space, with its tails.
+  class Image {
+   public:
+    Image() = default;
+    /// @param weighted the density's coefficients, times what the slope takes of them
+    Image(const Tails& tails, const Eigen::VectorXd& weighted);
+    Eigen::ArrayXd at(const Interval& zone, const Eigen::ArrayXd& x) const;
+
+   private:
+    Eigen::VectorXd inside_, outside_;  // of T_0, T_1, ... in the zone; of the first power on of its continuation
+    Tails tails_;
   };
   static Tails tails_of(const SpectralProblem& problem, const SpectralDensity& density, double half_length);
 
@@ -65,6 +76,8 @@ class SpectralField {
   double friction_;
   Tails contact_tails_;
   std::vector<Tails> stick_tails_;
+  Image contact_image_, tail_image_;  // of the whole pressure; of its tails, where there is shear
+  std::vector<Image> stick_images_;
   std::optional<SlidingBase> base_;
   RingLogarithms of_surface_, of_side_;
 };

@@ -19,12 +19,13 @@ constexpr double least_wrong = 1e-6;  // violation that calls for another zone, 
 
 class SpectralAssessment {
  public:
-  SpectralAssessment(const SpectralProblem& given_problem, const SpectralState& given_state)
+  SpectralAssessment(const SpectralProblem& given_problem, const SpectralState& given_state,
+                     const SpectralSurface& surface)
       : problem_(given_problem),
         state_(given_state),
-        field_(given_problem, given_state),
-        panels_(surface_panels(given_problem, given_state, field_)),
-        of_coating_(coating_moments(given_problem, field_, panels_)),
+        field_(surface.field),
+        panels_(surface.panels),
+        of_coating_(surface.coating),
         law_{given_problem.model.friction_coefficient},
         half_(given_state.edges.contact.half_length()) {}
 
@@ -293,8 +294,8 @@ class SpectralAssessment {
 
   const SpectralProblem& problem_;
   const SpectralState& state_;
-  SpectralField field_;
-  std::vector<SurfacePanel> panels_;
+  const SpectralField& field_;
+  const std::vector<SurfacePanel>& panels_;
   CoatingMoments of_coating_;
   FrictionLaw law_;
   double half_;
@@ -305,8 +306,12 @@ class SpectralAssessment {
 
 }  // namespace
 
+AssessedSpectral assess(const SpectralProblem& problem, const SpectralState& state, const SpectralSurface& surface) {
+  return SpectralAssessment(problem, state, surface).run();
+}
+
 AssessedSpectral assess(const SpectralProblem& problem, const SpectralState& state) {
-  return SpectralAssessment(problem, state).run();
+  return assess(problem, state, SpectralSurface(problem, state));
 }
 
 }  // namespace rollres

@@ -12,6 +12,7 @@
 
 #include "core/scene/solution.hpp"
 #include "core/spectral/spectral_system.hpp"
+#include "core/zones/surface_panels.hpp"
 
 namespace rollres {
 
@@ -37,5 +38,7 @@ struct AssessedSpectral {
 };
 
 AssessedSpectral assess(const SpectralProblem& problem, const SpectralState& state);
+/// The same with the state's surface, known.
+AssessedSpectral assess(const SpectralProblem& problem, const SpectralState& state, const SpectralSurface& surface);
 
 }  // namespace rollres

@@ -12,6 +12,7 @@
 
 namespace rollres {
 
+using Eigen::ArrayX2d;
 using Eigen::ArrayXd;
 using Eigen::Index;
 using Eigen::MatrixXd;
@@ -223,24 +224,24 @@ class MarchedSlopes {
   MarchedSlopes(const SpectralProblem& problem, const SpectralProblem& part, const SpectralState& state,
                 const SpectralField& field, const std::vector<double>& borders, double end)
       : part_(part),
-        field_(field),
         added_(part, field, state.edges, end, state.edges.contact.to + 0.5 * state.edges.contact.half_length(),
                (borders.size() - 1) * PanelRule::count / 2),
         memories_(memories_ahead(part, field, borders.front(), from_points(problem))) {}
 
+  /// @param deep  elastic slopes of a half-space on the panel
   /// @return [node, w and u]
-  MatrixXd next(const SurfacePanel& panel) {
-    MatrixXd elastic(PanelRule::count, 2);
+  MatrixXd next(const SurfacePanel& panel, const ArrayX2d& deep) {
+    MatrixXd elastic = deep;
     for (int k = 0; k < PanelRule::count; ++k) {
-      const SpectralField::Slopes g = field_.elastic_slopes(panel.x(k), added_(panel.x(k)));
-      elastic.row(k) << g.w, g.u;
+      const SpectralField::Slopes added = added_(panel.x(k));
+      elastic(k, 0) += added.w;
+      elastic(k, 1) += added.u;
     }
     return march_memories(part_, panel, elastic, memories_);
   }
 
  private:
   const SpectralProblem& part_;
-  const SpectralField& field_;
   AddedSlopes added_;
   Memories memories_;
 };
@@ -276,8 +277,7 @@ class SumOfMoments {
   double over_radius_, w_ = 0;  // of a ring with friction; the coating's part of w [m]
 };
 
-}  // namespace
-
+/// Panels from ahead to behind, and of a problem with two sides the coating's moments.
 std::vector<SurfacePanel> surface_panels(const SpectralProblem& problem, const SpectralState& state,
                                          const SpectralField& field) {
   const std::vector<double> borders = panel_borders(problem, state);
@@ -287,11 +287,12 @@ std::vector<SurfacePanel> surface_panels(const SpectralProblem& problem, const S
   std::vector<SurfacePanel> panels;
   for (std::size_t i = 1; i < borders.size(); ++i) {
     SurfacePanel panel = loaded_panel(field, borders[i], borders[i - 1]);
-    const MatrixXd slopes = surface.next(panel);
+    const ArrayX2d deep = field.deep_slopes(panel.x);
+    const MatrixXd slopes = surface.next(panel, deep);
     panel.slope_w = slopes.col(0);
     panel.slope_u = slopes.col(1);
     if (side) {
-      const MatrixXd part = side->next(panel), coating = problem.side_is_coating ? part : MatrixXd(slopes - part);
+      const MatrixXd part = side->next(panel, deep), coating = problem.side_is_coating ? part : MatrixXd(slopes - part);
       panel.coating_w = coating.col(0);
       panel.coating_u = coating.col(1);
     }
@@ -301,14 +302,21 @@ std::vector<SurfacePanel> surface_panels(const SpectralProblem& problem, const S
   return panels;
 }
 
-CoatingMoments coating_moments(const SpectralProblem& problem, const SpectralField& field,
-                               const std::vector<SurfacePanel>& panels) {
+CoatingMoments moments_on(const SpectralProblem& problem, const SpectralField& field,
+                          const std::vector<SurfacePanel>& panels) {
   if (!problem.side) return {};
   SumOfMoments sum(problem, field, panels.front().to);
   for (const SurfacePanel& panel : panels)
     sum.add(panel, problem.side_is_coating ? panel.coating_w : ArrayXd(panel.slope_w - panel.coating_w));
   return sum.moments;
 }
+
+}  // namespace
+
+SpectralSurface::SpectralSurface(const SpectralProblem& problem, const SpectralState& state)
+    : field(problem, state),
+      panels(surface_panels(problem, state, field)),
+      coating(moments_on(problem, field, panels)) {}
 
 CoatingMoments coating_moments(const SpectralProblem& problem, const SpectralState& state) {
   if (!problem.side) return {};
@@ -319,7 +327,7 @@ CoatingMoments coating_moments(const SpectralProblem& problem, const SpectralSta
   SumOfMoments sum(problem, field, borders.front());
   for (std::size_t i = 1; i < borders.size() && borders[i] >= end; ++i) {
     const SurfacePanel panel = loaded_panel(field, borders[i], borders[i - 1]);
-    sum.add(panel, side.next(panel).col(0));
+    sum.add(panel, side.next(panel, field.deep_slopes(panel.x)).col(0));
   }
   return sum.moments;
 }

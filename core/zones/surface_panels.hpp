@@ -27,15 +27,17 @@ struct SurfacePanel {
   double at(const Eigen::ArrayXd& values, double position) const;
 };
 
-/// All panels, from ahead to behind.
-std::vector<SurfacePanel> surface_panels(const SpectralProblem& problem, const SpectralState& state,
-                                         const SpectralField& field);
-
 /// M and N of (S18): int p c_x dx, the power over R Omega that the pressure gives to the coating, and of a ring int tau
 /// c/R dx, by which the shear gives it less [N/m]. 0 without one.
-CoatingMoments coating_moments(const SpectralProblem& problem, const SpectralField& field,
-                               const std::vector<SurfacePanel>& panels);
-/// The same without panels.
 CoatingMoments coating_moments(const SpectralProblem& problem, const SpectralState& state);
+
+/// What a state makes of the surface. The state's edges and tractions stay as they are while it is used.
+struct SpectralSurface {
+  SpectralSurface(const SpectralProblem& problem, const SpectralState& state);
+
+  SpectralField field;
+  std::vector<SurfacePanel> panels;  ///< all, from ahead to behind
+  CoatingMoments coating;            ///< as `coating_moments` has them
+};
 
 }  // namespace rollres
