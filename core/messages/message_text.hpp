@@ -2,19 +2,42 @@
 
 /// Texts of messages and notes, with few digits.
 
+#include <array>
+#include <charconv>
+#include <concepts>
 #include <sstream>
 #include <string>
 #include <string_view>
 
 namespace rollres {
 
+/// Adds a part to a line, a number to so many digits as by a stream, which takes far longer.
+template <int digits, class Part>
+void add_part(std::string& line, const Part& part) {
+  if constexpr (std::convertible_to<const Part&, std::string_view>) {
+    line += std::string_view(part);
+  } else if constexpr (std::same_as<Part, char>) {
+    line += part;
+  } else if constexpr (std::floating_point<Part>) {
+    std::array<char, 64> number{};
+    line.append(
+        number.data(),
+        std::to_chars(number.data(), number.data() + number.size(), part, std::chars_format::general, digits).ptr);
+  } else if constexpr (std::integral<Part>) {
+    line += std::to_string(part);
+  } else {
+    std::ostringstream text;
+    text << part;
+    line += text.str();
+  }
+}
+
 /// The parts one after the other, numbers to so many digits.
 template <int digits = 3, class... Parts>
 std::string message_text(const Parts&... parts) {
-  std::ostringstream line;
-  line.precision(digits);
-  (line << ... << parts);
-  return line.str();
+  std::string line;
+  (add_part<digits>(line, parts), ...);
+  return line;
 }
 
 /// One text of all: "speed, load". @param text_of what of each is told

@@ -74,10 +74,14 @@ BondedLayer first_layer(const RollingScene& scene) {
 
 }  // namespace
 
-ModelLayer::ModelLayer(BondedLayer inputs, const SofteningFactors& factors)
-    : BondedLayer(std::move(inputs)),
-      creep(creep_spectrum(*this, factors)),
-      modulus_at_rest(static_modulus(*this, factors)) {}
+ModelLayer::ModelLayer(BondedLayer inputs, const SofteningFactors& factors) : BondedLayer(std::move(inputs)) {
+  take_material(factors);
+}
+
+void ModelLayer::take_material(const SofteningFactors& factors) {
+  creep = creep_spectrum(*this, factors);
+  modulus_at_rest = static_modulus(*this, factors);
+}
 
 std::vector<std::size_t> layers_of_scene(const std::vector<ModelLayer>& layers) {
   std::vector<std::size_t> places;
@@ -201,11 +205,7 @@ ContactModel ContactModel::with_softening(const std::vector<SofteningFactors>& f
   std::size_t place = 0;
   for (std::vector<ModelLayer>* const layers : {&other.foundation, &other.coating})
     for (ModelLayer& layer : *layers)
-      if (place < factors.size()) {
-        const bool continues = layer.continues;
-        layer = ModelLayer(std::move(layer), factors[place++]);
-        layer.continues = continues;
-      }
+      if (place < factors.size()) layer.take_material(factors[place++]);
   other.decide();
   return other;
 }

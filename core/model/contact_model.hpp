@@ -31,6 +31,9 @@ struct ModelLayer : BondedLayer {
   bool continues = false;         // the layer before it: both are sublayers of one layer of the scene
 
   explicit ModelLayer(BondedLayer inputs, const SofteningFactors& factors = {});
+
+  /// Makes creep and modulus at rest those of its inputs as they are now, times the factors of moduli.
+  void take_material(const SofteningFactors& factors = {});
 };
 
 /// Of each layer the place of the scene's layer that it is, or is a sublayer of, among those on its side.

@@ -101,9 +101,7 @@ class Simplification {
       top->static_young_modulus.reset();
       top->temperature.reset();
       top->poisson_ratio = 0.5;
-      const double ring_radius = top->ring_radius;
-      *top = ModelLayer(BondedLayer(*top));  // of its inputs, not a copy of its creep
-      top->ring_radius = ring_radius;
+      top->take_material();
     }
     if (!spectral_refusal(simpler).empty() || spectral_refusal(model).empty()) return;
     const SteadySurface surface = steady_surface(model);
