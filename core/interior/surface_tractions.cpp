@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/numerics/chebyshev.hpp"
 #include "core/numerics/quadrature.hpp"
 #include "core/numerics/solution_limits.hpp"
 
@@ -22,18 +23,22 @@ double place_on(double from, double to, double s) {
   return 0.5 * (from + to) + 0.5 * (to - from) * std::sin(M_PI_2 * s);
 }
 
-/// Barycentric interpolation at Chebyshev-Lobatto nodes.
-double interpolated(const std::vector<double>& values, double s) {
-  const auto last = static_cast<int>(values.size()) - 1;
-  double numerator = 0, denominator = 0;
-  for (int k = 0; k <= last; ++k) {
-    const double distance = s - std::cos(M_PI * k / last);
-    if (distance == 0) return values[static_cast<std::size_t>(k)];
-    const double weight = (k % 2 ? -1.0 : 1.0) * (k == 0 || k == last ? 0.5 : 1.0) / distance;
-    numerator += weight * values[static_cast<std::size_t>(k)];
-    denominator += weight;
+/// The Chebyshev series of pressure and shear from their values at cos(pi j/last), j = 0 ... last; one value is
+/// uniform.
+std::vector<Eigen::Array2d> series_of(const std::vector<double>& pressure, const std::vector<double>& shear) {
+  const std::size_t last = pressure.size() - 1;
+  if (last == 0) return {{pressure.front(), shear.front()}};
+  std::vector<double> cosines;
+  for (std::size_t j = 0; j < 2 * last; ++j)
+    cosines.push_back(std::cos(M_PI * static_cast<double>(j) / static_cast<double>(last)));
+  std::vector<Eigen::Array2d> series;
+  for (std::size_t k = 0; k <= last; ++k) {
+    Eigen::Array2d sum = Eigen::Array2d::Zero();
+    for (std::size_t j = 0; j <= last; ++j)
+      sum += (j == 0 || j == last ? 0.5 : 1.0) * cosines[j * k % (2 * last)] * Eigen::Array2d(pressure[j], shear[j]);
+    series.emplace_back((k == 0 || k == last ? 1.0 : 2.0) / static_cast<double>(last) * sum);
   }
-  return numerator / denominator;
+  return series;
 }
 
 }  // namespace
@@ -72,14 +77,13 @@ double half_length_of(const SurfaceFields& fields) {
 
 SurfaceTractions::SurfaceTractions(const SurfaceFields& fields, double highest) {
   for (const TractionPanel& panel : fields.panels)
-    panels_.push_back({panel.from, panel.to, panel.pressure, panel.shear, {}, {}});
+    panels_.push_back({panel.from, panel.to, series_of(panel.pressure, panel.shear), {}, {}});
   const SurfaceGrid& grid = fields.grid;
   for (int i = 0; fields.panels.empty() && i < grid.columns; ++i)
     if (const auto node = static_cast<std::size_t>(i); fields.zone[node] != Zone::free)
       panels_.push_back({grid.x(i) - 0.5 * grid.spacing_x,
                          grid.x(i) + 0.5 * grid.spacing_x,
-                         {fields.pressure[node]},
-                         {fields.shear_x[node]},
+                         series_of({fields.pressure[node]}, {fields.shear_x[node]}),
                          {},
                          {}});
   from_ = INFINITY;
@@ -87,7 +91,7 @@ SurfaceTractions::SurfaceTractions(const SurfaceFields& fields, double highest) 
   for (Panel& panel : panels_) {
     from_ = std::min(from_, panel.from);
     to_ = std::max(to_, panel.to);
-    if (panel.pressure.size() == 1) continue;
+    if (panel.uniform()) continue;
     for (int parts = 1;; parts *= 2) {
       std::vector<Point>& points = panel.rules.emplace_back();
       for (int i = 0; i < parts; ++i)
@@ -133,8 +137,8 @@ void SurfaceTractions::thin_out(double highest) {
 
 SurfaceTractions::Point SurfaceTractions::point_of(const Panel& panel, double s, double weight) {
   const double scale = weight * 0.5 * (panel.to - panel.from) * M_PI_2 * std::cos(M_PI_2 * s);
-  return {place_on(panel.from, panel.to, s), scale * interpolated(panel.pressure, s),
-          scale * interpolated(panel.shear, s)};
+  const Eigen::Array2d there = scale * chebyshev_sum<Eigen::Array2d>(panel.series, s);
+  return {place_on(panel.from, panel.to, s), there(0), there(1)};
 }
 
 void SurfaceTractions::add_points(const Panel& panel, double s0, double s1, int order, std::vector<Point>& points) {
@@ -148,11 +152,11 @@ SurfaceTractions::Transforms SurfaceTractions::transforms(double k) const {
   Transforms sum{};
   for (const Panel& panel : panels_) {
     const double width = panel.to - panel.from;
-    if (panel.pressure.size() == 1) {
+    if (panel.uniform()) {
       const double phase = 0.5 * k * width, share = phase == 0 ? 1 : std::sin(phase) / phase;
       const complex wave = width * share * std::polar(1.0, -k * 0.5 * (panel.from + panel.to));
-      sum.pressure += panel.pressure.front() * wave;
-      sum.shear += panel.shear.front() * wave;
+      sum.pressure += panel.series.front()(0) * wave;
+      sum.shear += panel.series.front()(1) * wave;
       continue;
     }
     std::size_t level = 0;
@@ -172,9 +176,10 @@ std::vector<std::vector<SurfaceTractions::Transforms>> SurfaceTractions::transfo
   std::vector<Point> points;
   std::vector<double> widths;
   for (const Panel& panel : panels_) {
-    if (panel.pressure.size() == 1) {
+    if (panel.uniform()) {
       const double width = panel.to - panel.from;
-      points.push_back({0.5 * (panel.from + panel.to), width * panel.pressure.front(), width * panel.shear.front()});
+      points.push_back(
+          {0.5 * (panel.from + panel.to), width * panel.series.front()(0), width * panel.series.front()(1)});
       widths.push_back(width);
     } else {
       points.insert(points.end(), panel.rules.back().begin(), panel.rules.back().end());
@@ -256,11 +261,11 @@ PlaneStress SurfaceTractions::stresses(double x, const FaceDepth& depth) const {
   const complex place(x, std::max(depth.decay, surface));
   Potentials f{};
   for (const Panel& panel : panels_) {
-    if (panel.pressure.size() > 1) {
+    if (!panel.uniform()) {
       add_near(panel, place, -1, 1, f);
       continue;
     }
-    const double p = panel.pressure.front(), q = panel.shear.front();
+    const double p = panel.series.front()(0), q = panel.series.front()(1);
     const complex logarithm = std::log(place - panel.from) - std::log(place - panel.to);
     const complex slope = 1.0 / (place - panel.from) - 1.0 / (place - panel.to);
     f.p += p * logarithm;

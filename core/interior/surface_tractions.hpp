@@ -14,6 +14,7 @@
 /// R ln(R/r) inside P and Q, Z = R (R^2 - r^2)/(2 r^2) for the factor z, and (2 Z/R) (-Qc, Qc, Q) more in (sigma_x,
 /// sigma_z, tau_xz).
 
+#include <Eigen/Core>
 #include <complex>
 #include <vector>
 
@@ -69,9 +70,11 @@ class SurfaceTractions {
   };
   struct Panel {
     double from, to;
-    std::vector<double> pressure, shear;
+    std::vector<Eigen::Array2d> series;     // of pressure and shear, Chebyshev, in s of x = middle + half sin(pi s/2)
     std::vector<std::vector<Point>> rules;  // each twice as fine as the one before; of uniform tractions none
     std::vector<Point> near;                // points for places beside the panel, about its width away
+
+    bool uniform() const { return series.size() == 1; }
   };
   /// F and its derivative, of p and of q.
   struct Potentials {
