@@ -64,10 +64,18 @@ std::vector<std::string> texts_of(SQLite::Statement& row) {
   return texts;
 }
 
+StudyOutline read_outline(SQLite::Statement& row) {
+  return {row.getColumn(0).getString(), split(row.getColumn(1).getString()), row.getColumn(2).getInt64()};
+}
+
 StudySummary read_summary(SQLite::Statement& row) {
-  return {row.getColumn(0).getString(), split(row.getColumn(1).getString()), row.getColumn(2).getInt64(),
-          row.getColumn(3).getInt64(),  row.getColumn(4).getInt64(),         row.getColumn(5).getString(),
-          row.getColumn(6).getString(), row.getColumn(7).getString(),        row.getColumn(8).getString()};
+  return {read_outline(row),
+          row.getColumn(3).getInt64(),
+          row.getColumn(4).getInt64(),
+          row.getColumn(5).getString(),
+          row.getColumn(6).getString(),
+          row.getColumn(7).getString(),
+          row.getColumn(8).getString()};
 }
 
 }  // namespace
@@ -410,6 +418,17 @@ std::vector<std::string> ResultStore::study_names() {
 std::optional<StudySummary> ResultStore::study(const std::string& name) {
   std::vector<StudySummary> found = naming(database().name(), [&] { return parts_->summaries(&name); });
   return found.empty() ? std::nullopt : std::optional(std::move(found.front()));
+}
+
+std::optional<StudyOutline> ResultStore::outline(const std::string& name) {
+  return naming(database().name(), [&]() -> std::optional<StudyOutline> {
+    SQLite::Statement row(parts_->connection(),
+                          "SELECT name, axes, (SELECT count(*) FROM study_point WHERE study = study.id) FROM study "
+                          "WHERE name = ?");
+    row.bind(1, name);
+    if (!row.executeStep()) return std::nullopt;
+    return read_outline(row);
+  });
 }
 
 std::optional<std::string> ResultStore::definition(const std::string& study) {

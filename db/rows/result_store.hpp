@@ -73,11 +73,15 @@ struct DesignRecord {
   std::optional<std::int64_t> front{};  ///< its place on the front, from 1
 };
 
-/// How far a study is.
-struct StudySummary {
+/// What a study asks for.
+struct StudyOutline {
   std::string name;
   std::vector<std::string> axes;
-  std::int64_t points = 0;    ///< all
+  std::int64_t points = 0;
+};
+
+/// How far a study is.
+struct StudySummary : StudyOutline {
   std::int64_t answered = 0;  ///< points with a row, failed ones included
   std::int64_t failed = 0;    ///< answered, but not with status converged
   std::string created;        ///< when the study first ran, UTC
@@ -135,7 +139,8 @@ class ResultStore {
 
   std::vector<StudySummary> studies();  ///< by name
   std::optional<StudySummary> study(const std::string& name);
-  std::vector<std::string> study_names();  ///< in their order
+  std::optional<StudyOutline> outline(const std::string& name);  ///< without reading an answer
+  std::vector<std::string> study_names();                        ///< in their order
   /// Text of the study file; nothing if there is no such study.
   std::optional<std::string> definition(const std::string& study);
   std::vector<Failure> failures(const std::string& study);  ///< most frequent first

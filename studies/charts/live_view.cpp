@@ -37,7 +37,7 @@ struct Shown {
   const QuantityColumn *x = nullptr, *y = nullptr, *family = nullptr;
 };
 
-Shown shown_of(const StudyDefinition& definition, const StudySummary& study, const StudyRows& rows) {
+Shown shown_of(const StudyDefinition& definition, const StudyOutline& study, const StudyRows& rows) {
   const StudyChart chart = definition.charts.empty() ? StudyChart() : definition.charts.front();
   Shown shown;
   const auto column = [&](const std::string& key) { return &column_of(key, study, rows, "chart"); };
@@ -56,7 +56,7 @@ Shown shown_of(const StudyDefinition& definition, const StudySummary& study, con
   return shown;
 }
 
-std::string plot_of(ResultStore& store, const StudySummary& study, std::size_t width, std::size_t height) {
+std::string plot_of(ResultStore& store, const StudyOutline& study, std::size_t width, std::size_t height) {
   const StudyRows rows(store, study.name);
   const StudyDefinition definition =
       definition_in(store.definition(study.name).value_or(""), store.database().name() + ": " + study.name);

@@ -26,18 +26,16 @@ std::vector<std::string> names_of(ResultStore& store, const StudyChartOptions& o
 }
 
 /// Several studies as one, whose first axis is the study.
-StudySummary summary_of(ResultStore& store, const std::vector<std::string>& names) {
-  StudySummary all = stored_study(store, names.front());
+StudyOutline outline_of(ResultStore& store, const std::vector<std::string>& names) {
+  StudyOutline all = stored_outline(store, names.front());
   if (names.size() == 1) return all;
   all.name = joined(names);
   all.axes.insert(all.axes.begin(), std::string(study_key));
   for (std::size_t i = 1; i < names.size(); ++i) {
-    const StudySummary one = stored_study(store, names[i]);
+    const StudyOutline one = stored_outline(store, names[i]);
     for (const std::string& axis : one.axes)
       if (std::find(all.axes.begin(), all.axes.end(), axis) == all.axes.end()) all.axes.push_back(axis);
     all.points += one.points;
-    all.answered += one.answered;
-    all.failed += one.failed;
   }
   return all;
 }
@@ -79,7 +77,7 @@ ShownStudy::ShownStudy(ResultStore& store, const StudyChartOptions& options)
 
 ShownStudy::ShownStudy(ResultStore& store, const std::vector<std::string>& names, const std::vector<Filter>& filters)
     : file(store.database().name()),
-      study(summary_of(store, names)),
+      study(outline_of(store, names)),
       definition(definition_of(store, names)),
       rows(rows_of(store, names, filters)) {}
 

@@ -26,7 +26,7 @@ struct StudyChartOptions {
 /// A study as it is read for a picture.
 struct ShownStudy {
   std::string file;  ///< of the database
-  StudySummary study;
+  StudyOutline study;
   StudyDefinition definition;
   StudyRows rows;
 

@@ -35,7 +35,7 @@ bool follows(const StudyRows& rows, const QuantityColumn& column, const std::vec
 
 /// The columns that the options ask for, or the chart of the file; x and `along` are null where neither does.
 Choice wished(const ShownStudy& shown, const StudyChart& hints, const StudyChartOptions& options) {
-  const StudySummary& study = shown.study;
+  const StudyOutline& study = shown.study;
   const StudyRows& rows = shown.rows;
   const auto first_of = [](const std::string& wish, const std::string& hint) { return wish.empty() ? hint : wish; };
   Choice choice;
@@ -309,7 +309,7 @@ StoredChart stored_chart(const ShownStudy& shown, const StudyChartOptions& optio
   const Curves curves = curves_of(shown, choice, scales, options.shares);
 
   StoredChart chart{.study = study.name, .points = rows.size(), .unanswered = shown.unanswered()};
-  if (options.filters.empty()) chart.missing = study.points - study.answered;
+  if (options.filters.empty()) chart.missing = study.points - static_cast<std::int64_t>(rows.size());
   chart.x = key_of(*choice.x);
   for (const QuantityColumn* const family : choice.families) chart.families.push_back(key_of(*family));
   ChartRequest& request = chart.request;

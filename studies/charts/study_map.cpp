@@ -11,7 +11,7 @@ namespace rollres {
 namespace {
 
 /// Axes of the study that are numbers, those with the most values first.
-std::vector<const QuantityColumn*> longest_axes(const StudySummary& study, const StudyRows& rows) {
+std::vector<const QuantityColumn*> longest_axes(const StudyOutline& study, const StudyRows& rows) {
   std::vector<const QuantityColumn*> axes;
   for (const std::string& key : study.axes)
     if (const QuantityColumn& column = column_of(key, study, rows, "axis"); column.type != "TEXT")
@@ -28,7 +28,7 @@ struct MapAxes {
   const QuantityColumn *x = nullptr, *y = nullptr;
 };
 
-MapAxes choose_axes(const StudySummary& study, const StudyRows& rows, const StudyChartOptions& options) {
+MapAxes choose_axes(const StudyOutline& study, const StudyRows& rows, const StudyChartOptions& options) {
   MapAxes axes;
   if (!options.x.empty()) axes.x = &number_column(options.x, study, rows, "x");
   if (!options.y.empty()) axes.y = &number_column(options.y, study, rows, "y");

@@ -28,7 +28,7 @@ struct TimedFile {
 /// By the values of the other axes: "_load=20 kN/m".
 using TimedFiles = std::map<std::string, std::vector<TimedFile>>;
 
-std::string chosen_axis(const StudySummary& study, const std::string& wish) {
+std::string chosen_axis(const StudyOutline& study, const std::string& wish) {
   if (wish.empty()) return study.axes.empty() ? "" : study.axes.front();
   if (std::find(study.axes.begin(), study.axes.end(), wish) != study.axes.end()) return wish;
   const std::vector<std::string_view> names(study.axes.begin(), study.axes.end());
@@ -78,7 +78,7 @@ struct FieldCollections {
 /// @param axis a key of the study's axes; empty: the first
 /// @throws std::invalid_argument if the study has no such axis
 /// @throws std::runtime_error naming the file or folder that failed
-FieldCollections write_field_collections(ResultStore& store, const StudySummary& study, const std::string& axis,
+FieldCollections write_field_collections(ResultStore& store, const StudyOutline& study, const std::string& axis,
                                          const std::filesystem::path& directory) {
   FieldCollections written;
   written.axis = chosen_axis(study, axis);
@@ -161,7 +161,7 @@ void draw_figures(const FigureArguments& arguments, Session& session) {
 
 void collect_fields(const FigureArguments& arguments, Session& session) {
   ResultStore store(arguments.database, Access::read);
-  const StudySummary study = stored_study(store, arguments.study);
+  const StudyOutline study = stored_outline(store, arguments.study);
   const FieldCollections written = write_field_collections(store, study, arguments.axis, arguments.out);
   if (written.without_fields > 0)
     session.err << "rollres: " << arguments.database << ": " << study.name << ": " << written.without_fields

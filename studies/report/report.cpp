@@ -33,9 +33,9 @@ StudyReport report_of(ResultStore& store, const ReportOptions& options) {
     if (const auto fit = find_fit(store.database(), name, FitParts::with_data)) return fit_report(*fit, file);
 
   const auto shown = std::make_shared<const ShownStudy>(store, StudyChartOptions{.study = options.study});
-  const StudySummary& study = shown->study;
+  const StudySummary study = stored_study(store, shown->study.name);
   const std::string text = accepted_study(store.definition(study.name).value_or(""));
-  const ReportSource source{store, text, {}, shown};
+  const ReportSource source{store, text, {}, shown, study};
   const PictureSection charts = chart_section(source, options), errors = accuracy_pictures(source);
   const std::string title = title_of_study(source.definition, study.name);
   StudyReport report{study.name, "<h1>" + html::text(title) + "</h1>\n", charts.pictures + errors.pictures};
@@ -69,7 +69,7 @@ StudyReport report_of(ResultStore& store, const ReportOptions& options) {
 
 ReportSource ReportSource::with(const std::vector<Filter>& wanted) const {
   return {store, definition_text, wanted,
-          wanted == filters ? shown : std::make_shared<const ShownStudy>(*shown, store, wanted)};
+          wanted == filters ? shown : std::make_shared<const ShownStudy>(*shown, store, wanted), study};
 }
 
 StudyReport study_report(ResultStore& store, const ReportOptions& options) {

@@ -19,7 +19,7 @@ struct ReportSource {
   std::string definition_text;
   std::vector<Filter> filters;  ///< that the rows meet
   std::shared_ptr<const ShownStudy> shown;
-  const StudySummary& study = shown->study;
+  StudySummary study;
   const StudyDefinition& definition = shown->definition;
   const StudyRows& rows = shown->rows;
 

@@ -59,12 +59,16 @@ std::vector<const QuantityColumn*> quantity_columns_of(const Database& database,
   return columns;
 }
 
-StudyRows::StudyRows(ResultStore& store, const std::string& study, const std::vector<Filter>& filters)
-    : columns_(quantity_columns_of(store.database(), {{"study", Comparison::equal, study}})) {
+StudyRows::StudyRows(ResultStore& store, const std::string& study, const std::vector<Filter>& filters) {
+  const FormulaDefinitions formulas = formulas_of(store, study);
+  std::vector<Filter> rows = formulas.empty() ? filters : std::vector<Filter>();  // groups know no formula
+  convert_to_si(rows, formulas);
+  rows.push_back({"study", Comparison::equal, study});
+  columns_ = quantity_columns_of(store.database(), rows);
   const bool named = column_names(store.database().connection(), "result").contains(std::string(variant_key));
   if (named) columns_.push_back(find_quantity_column(variant_key));
   const auto of_variants = columns_.size() - 1;
-  for (const auto& [name, formula] : formulas_of(store, study)) columns_.push_back(&derived_column(name, formula));
+  for (const auto& [name, formula] : formulas) columns_.push_back(&derived_column(name, formula));
   read(store, study, filters);
   if (named && values(*columns_[of_variants]) == std::vector<Cell>{Cell()})  // no point is of a variant
     columns_.erase(columns_.begin() + static_cast<std::ptrdiff_t>(of_variants));
@@ -149,7 +153,7 @@ std::optional<Cell> StudyRows::common(const Column& column) const {
   return all[0];
 }
 
-const QuantityColumn& column_of(const std::string& key, const StudySummary& study, const StudyRows& rows,
+const QuantityColumn& column_of(const std::string& key, const StudyOutline& study, const StudyRows& rows,
                                 const std::string& option) {
   const bool axis = std::find(study.axes.begin(), study.axes.end(), key) != study.axes.end();
   if (const QuantityColumn* const column = find_quantity_column(axis ? input_column(key) : key)) return *column;
@@ -162,7 +166,7 @@ const QuantityColumn& column_of(const std::string& key, const StudySummary& stud
   throw std::invalid_argument(option + " = " + key + ": " + unknown("unknown key", names, key));
 }
 
-const QuantityColumn& number_column(const std::string& key, const StudySummary& study, const StudyRows& rows,
+const QuantityColumn& number_column(const std::string& key, const StudyOutline& study, const StudyRows& rows,
                                     const std::string& option) {
   const QuantityColumn& column = column_of(key, study, rows, option);
   if (column.type == "TEXT") throw std::invalid_argument(option + " = " + key + ": must be a number");
@@ -290,10 +294,24 @@ std::string stored_study_name(ResultStore& store, const std::string& name) {
   throw std::invalid_argument(file + ": holds several studies, choose one with --study: " + joined(all));
 }
 
+namespace {
+
+template <class Study>
+Study still_there(std::optional<Study> study, ResultStore& store, const std::string& name) {
+  if (study) return *std::move(study);
+  throw std::invalid_argument(store.database().name() + ": " + name + ": was deleted just now");
+}
+
+}  // namespace
+
+StudyOutline stored_outline(ResultStore& store, const std::string& name) {
+  const std::string found = stored_study_name(store, name);
+  return still_there(store.outline(found), store, found);
+}
+
 StudySummary stored_study(ResultStore& store, const std::string& name) {
   const std::string found = stored_study_name(store, name);
-  if (auto study = store.study(found)) return std::move(*study);
-  throw std::invalid_argument(store.database().name() + ": " + found + ": was deleted just now");
+  return still_there(store.study(found), store, found);
 }
 
 namespace {

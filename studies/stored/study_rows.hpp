@@ -73,11 +73,11 @@ class StudyRows {
 /// A column of the stored rows, a derived number among them; an axis is shown as it was given, not as it was found.
 /// @param option  for the message
 /// @throws std::invalid_argument naming option and key, and the nearest known one
-const QuantityColumn& column_of(const std::string& key, const StudySummary& study, const StudyRows& rows,
+const QuantityColumn& column_of(const std::string& key, const StudyOutline& study, const StudyRows& rows,
                                 const std::string& option);
 
 /// The same for a column of numbers.
-const QuantityColumn& number_column(const std::string& key, const StudySummary& study, const StudyRows& rows,
+const QuantityColumn& number_column(const std::string& key, const StudyOutline& study, const StudyRows& rows,
                                     const std::string& option);
 
 /// The unit of a column in these rows.
@@ -136,6 +136,8 @@ std::string common_inputs(const StudyRows& rows);
 ///         (with the nearest one)
 /// @throws std::runtime_error naming the file if the database fails
 std::string stored_study_name(ResultStore& store, const std::string& name);
+/// The same with what it asks for. @throws likewise
+StudyOutline stored_outline(ResultStore& store, const std::string& name);
 /// The same with how far it is, which takes a second of a study of 200,000 points. @throws likewise
 StudySummary stored_study(ResultStore& store, const std::string& name);
 
