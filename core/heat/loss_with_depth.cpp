@@ -24,14 +24,17 @@ double sum_of(const std::vector<LossPanel>& panels) {
 
 /// Of layers on one side of the contact, as they stand there.
 std::vector<LossPanel> panels_of(const LayeredMedium& medium, double flow, const ContactModel& model,
-                                 const SurfaceFields& fields, double half, int nodes_of_panel) {
+                                 const SurfaceFields& fields, double half, LossDetail detail) {
+  const bool rough = detail == LossDetail::rough;
+  const int nodes_of_panel = rough ? 3 : 6;
   const std::vector<WeightedLine> weighted = lines_across(medium, model.speed, half, nodes_of_panel);
   std::vector<InteriorLine> lines;
   for (const WeightedLine& line : weighted) lines.push_back(line.line);
   std::vector<LossPanel> panels;
   Eigen::ArrayXd loss = Eigen::ArrayXd::Zero(static_cast<Eigen::Index>(lines.size()));
   if (std::any_of(medium.begin(), medium.end(), [](const MediumLayer& layer) { return creeps(layer.material); })) {
-    const InteriorField field(medium, model.speed, flow, fields, half, InteriorField::Detail::inside);
+    const InteriorField field(medium, model.speed, flow, fields, half,
+                              rough ? InteriorField::Detail::rough : InteriorField::Detail::inside);
     loss = field.at({}, lines, InteriorField::Wanted::strains).line_loss;
   }
   double depth = 0;
@@ -45,16 +48,15 @@ std::vector<LossPanel> panels_of(const LayeredMedium& medium, double flow, const
 
 }  // namespace
 
-LossWithDepth loss_with_depth(const ContactModel& model, const RollingSolution& solution, int nodes_of_panel) {
+LossWithDepth loss_with_depth(const ContactModel& model, const RollingSolution& solution, LossDetail detail) {
   const double half = 0.5 * (solution.leading_edge - solution.trailing_edge);
   const double whole = solution.rolling_resistance * model.speed;
   LossWithDepth lost;
-  lost.panels = panels_of(foundation_of(model), 1, model, solution.fields, half, nodes_of_panel);
+  lost.panels = panels_of(foundation_of(model), 1, model, solution.fields, half, detail);
   double inside = sum_of(lost.panels), under = 0;
   if (!model.coating.empty()) {
     under = inside;
-    lost.panels =
-        panels_of(coating_of(model), model.flow, model, mirrored_shear(solution.fields), half, nodes_of_panel);
+    lost.panels = panels_of(coating_of(model), model.flow, model, mirrored_shear(solution.fields), half, detail);
     inside = sum_of(lost.panels);
   }
   const double viscous = std::isfinite(solution.frictional_loss) ? whole - solution.frictional_loss : whole;

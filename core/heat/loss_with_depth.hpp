@@ -16,10 +16,15 @@ struct LossWithDepth {
   double elsewhere = 0;           ///< in layers under a covered body
 };
 
+enum class LossDetail {
+  full,
+  rough  ///< shares of the layers to about 1e-3, for a quarter of the work
+};
+
 /// By the sums over the inside of the layers (interior/interior_field.hpp), which are multiplied by what makes their
 /// sum R_r V less the loss to friction: the sum itself is that to about 1e-4.
 /// @param model of a single passage of a cylinder, with what the answer decided   @param solution per metre
-/// @param nodes_of_panel of Gauss's rule
-LossWithDepth loss_with_depth(const ContactModel& model, const RollingSolution& solution, int nodes_of_panel = 6);
+LossWithDepth loss_with_depth(const ContactModel& model, const RollingSolution& solution,
+                              LossDetail detail = LossDetail::full);
 
 }  // namespace rollres

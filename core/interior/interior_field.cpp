@@ -45,6 +45,7 @@ double distortion(double x, double z, double xz, double nu) {
 }  // namespace
 
 double InteriorField::highest_wavenumber(double half_length, Detail detail) const {
+  if (detail == Detail::rough) return 20 / half_length;
   const double along = detail == Detail::surface ? 300 : 80;
   return std::max(along / half_length, vanished / medium_.front().thickness);
 }

@@ -49,7 +49,8 @@ class InteriorField {
   /// How much of the field near the surface is wanted.
   enum class Detail {
     surface,  ///< up to the surface, where the tractions' ends are in place
-    inside    ///< what counts for sums over the layers; strains within a hundredth of the contact are blurred
+    inside,   ///< what counts for sums over the layers; strains within a hundredth of the contact are blurred
+    rough     ///< the same for estimates, within a twentieth
   };
 
   /// @param medium from the contact away, with the creep that it has at V   @param speed V [m/s]

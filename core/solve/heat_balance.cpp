@@ -246,9 +246,9 @@ class HeatBalanceSolution {
 }  // namespace
 
 WarmedDepth warmed_depth(const RollingScene& scene, const ContactModel& solved, const RollingSolution& solution,
-                         int nodes_of_panel) {
+                         LossDetail detail) {
   const HeatPath path = heat_path(scene, solution.leading_edge - solution.trailing_edge);
-  LossWithDepth lost = loss_with_depth(solved, solution, nodes_of_panel);
+  LossWithDepth lost = loss_with_depth(solved, solution, detail);
   TemperatureProfile profile(path, lost.panels, lost.at_face);
   return {path, std::move(lost), std::move(profile)};
 }

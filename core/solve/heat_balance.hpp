@@ -27,10 +27,9 @@ struct WarmedDepth {
   LossWithDepth lost;
   TemperatureProfile profile;
 };
-/// @param nodes_of_panel of Gauss's rule with depth (heat/loss_with_depth.hpp)
 /// @param scene obeys `check`, with heat   @param solved with what its answer decided   @param solution per metre
 WarmedDepth warmed_depth(const RollingScene& scene, const ContactModel& solved, const RollingSolution& solution,
-                         int nodes_of_panel = 6);
+                         LossDetail detail = LossDetail::full);
 
 /// @param scene obeys `check`, with heat
 /// @param solve_isothermal  of its model at given temperatures, per metre of a cylinder's length

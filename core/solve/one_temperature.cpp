@@ -9,7 +9,7 @@ namespace rollres {
 
 ResistanceChange::Change change_by_sublayers(const WarmAnswer& answer, int in_each) {
   constexpr double near_enough = 0.02, nothing = 0.01;  // of the difference between warmest and coldest; [K]
-  constexpr int most_evaluations = 12, nodes_of_panel = 3;
+  constexpr int most_evaluations = 12;
   const std::vector<double> depths = sublayer_depths(answer.scene, in_each);
   const auto model_at = [&](const Eigen::VectorXd& temperatures) {
     return answer.model({temperatures.begin(), temperatures.end()});
@@ -31,7 +31,7 @@ ResistanceChange::Change change_by_sublayers(const WarmAnswer& answer, int in_ea
     if (!(change > -1)) return std::nullopt;
     changed.rolling_resistance = (1 + change) * answer.solution.rolling_resistance;
     changed.frictional_loss = (1 + change) * answer.solution.frictional_loss;
-    return at_middles(warmed_depth(answer.scene, finer, changed, nodes_of_panel).profile);
+    return at_middles(warmed_depth(answer.scene, finer, changed, LossDetail::rough).profile);
   };
   problem.near = [&](const Eigen::VectorXd& x, const Eigen::VectorXd& made) {
     return (made - x).cwiseAbs().maxCoeff() <= difference;
