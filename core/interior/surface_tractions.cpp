@@ -27,7 +27,7 @@ double place_on(double from, double to, double s) {
 /// uniform.
 std::vector<Eigen::Array2d> series_of(const std::vector<double>& pressure, const std::vector<double>& shear) {
   const std::size_t last = pressure.size() - 1;
-  if (last == 0) return {{pressure.front(), shear.front()}};
+  if (last == 0) return {Eigen::Array2d(pressure.front(), shear.front())};
   std::vector<double> cosines;
   for (std::size_t j = 0; j < 2 * last; ++j)
     cosines.push_back(std::cos(M_PI * static_cast<double>(j) / static_cast<double>(last)));

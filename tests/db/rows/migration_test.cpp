@@ -126,30 +126,6 @@ TEST_CASE("a file of the first schema keeps every cell through the migrations, a
   CHECK(store.find(std::int64_t{4})->solution.status == Status::converged);
 }
 
-// Fails if a migration hangs on what a later one brings, or if a schema in between does not open, is not asked or not
-// merged.
-TEST_CASE("a file of every former schema opens, is asked and merges", "[db][migration]") {
-  const FirstSchema first;
-  const auto newest = schema_migrations().size();
-  for (std::size_t version = 1; version < newest; ++version) {
-    INFO("schema " << version);
-    const auto former = first.folder() / (std::to_string(version) + ".db");
-    std::filesystem::copy_file(first.file(), former);
-    { Database(former, Access::write, {schema_migrations().first(version), add_missing_columns}); }
-    REQUIRE(SQLite::Database(former).execAndGet("PRAGMA user_version").getInt() == static_cast<int>(version));
-    const auto merged = first.folder() / ("merged_" + std::to_string(version) + ".db");
-    merge(ResultStore(merged).database(), former);
-    for (const auto& file : {merged, former}) {
-      ResultStore store(file, Access::read);
-      SQLite::Database& connection = store.database().connection();
-      CHECK(connection.execAndGet("PRAGMA user_version").getInt() == static_cast<int>(newest));
-      CHECK(connection.execAndGet("SELECT count(*) FROM converged WHERE study = 'a study'").getInt() == 5);
-      CHECK(store.find(first.keys()[2])->solution.rolling_resistance ==
-            closed_form(plain_scene(0.1 * 3)).rolling_resistance);
-    }
-  }
-}
-
 TEST_CASE("a file of the first schema that may not be written is read as it is", "[db][migration]") {
   const FirstSchema first;
   std::filesystem::create_directory(first.folder() / "archive");
