@@ -29,6 +29,23 @@ std::vector<AtBound> bounds_met(const FitProblem& problem, const FitPoint& point
   return met;
 }
 
+/// Of what was measured, over the freedom that parameters leave it: what priors tell of these they do not take from it.
+/// @param whitened  slopes over the deviations
+double scatter(const FitProblem& problem, const Eigen::VectorXd& residuals, const Eigen::MatrixXd& whitened) {
+  double squares = misfit(problem, residuals);
+  if (std::none_of(problem.data.begin(), problem.data.end(), [](const MeasuredValue& one) { return one.prior(); }))
+    return squares / degrees_of_freedom(problem);
+  const SingularValues svd(whitened);
+  const Eigen::Index rank = (svd.values.array() > SingularValues::rank_limit * svd.values[0]).count();
+  double freedom = -static_cast<double>(rank);
+  for (Eigen::Index i = 0; i < residuals.size(); ++i) {
+    const bool prior = problem.data[static_cast<std::size_t>(i)].prior();
+    if (prior) squares -= residuals[i] * residuals[i];
+    freedom += prior ? svd.u.row(i).head(rank).squaredNorm() : 1;
+  }
+  return squares / std::max(freedom, 1.0);
+}
+
 }  // namespace
 
 int degrees_of_freedom(const FitProblem& problem) {
@@ -46,7 +63,6 @@ void require_enough_data(const FitProblem& problem) {
 FitErrors fit_errors(const FitProblem& problem, const FitPoint& point, const Eigen::VectorXd& residuals,
                      const Slopes& slopes) {
   require_enough_data(problem);
-  const int degrees = degrees_of_freedom(problem);
   const Eigen::Index rows = residuals.size(), columns = std::ssize(point);
   Eigen::VectorXd roots(rows), deviations(rows);
   for (Eigen::Index i = 0; i < rows; ++i) {
@@ -61,7 +77,7 @@ FitErrors fit_errors(const FitProblem& problem, const FitPoint& point, const Eig
   errors.scale = 1;
   if (!problem.deviations_known) {  // the scatter is at least that of the predictions
     const double noise = slopes.noise.cwiseQuotient(deviations).squaredNorm() / static_cast<double>(rows);
-    errors.scale = std::max({misfit(problem, residuals) / degrees, noise, std::numeric_limits<double>::min()});
+    errors.scale = std::max({scatter(problem, residuals, whitened), noise, std::numeric_limits<double>::min()});
   }
   errors.at_bound = bounds_met(problem, point, whitened.transpose() * weighted);
   const Eigen::VectorXd column_errors = (whitening.asDiagonal() * slopes.errors).colwise().norm().transpose();

@@ -16,7 +16,7 @@ enum class AtBound { no, lowest, highest };
 /// weight), the covariance is scale (A^T A)^-1. Parameters at a bound that the misfit presses against are held: their
 /// rows and columns are NaN.
 struct FitErrors {
-  double scale;  ///< variance of a residual: 1 where deviations are known, else misfit / degrees
+  double scale;  ///< variance of a residual: 1 where deviations are known, else misfit / degrees, without priors
   std::vector<AtBound> at_bound;
   Eigen::MatrixXd covariance;  ///< scaled variables; infinite where slopes leave a direction free
   Eigen::VectorXd deviations;  ///< roots of its diagonal: relative standard errors of positive quantities

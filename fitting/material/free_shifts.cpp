@@ -158,7 +158,7 @@ TemperatureShift start_of_free_shifts(const std::vector<MeasuredModulus>& data, 
   return starts[best.second];
 }
 
-std::vector<KnownBefore> even_steps(const TemperatureShift& shift, double deviation) {
+std::vector<KnownBefore> even_steps(const TemperatureShift& shift, double deviation, std::size_t parameter) {
   constexpr double of_mean_step = 0.3, of_vertical = 0.02;  // decades
   const std::vector<double>& temperatures = shift.table.temperatures;
   const std::size_t count = temperatures.size(), reference = nearest_step(temperatures, shift.reference);
@@ -177,8 +177,8 @@ std::vector<KnownBefore> even_steps(const TemperatureShift& shift, double deviat
           one.parts.push_back({first + place - (place > reference ? 1 : 0), false, weights[k]});
     }
   };
-  add(0, of_mean_step * std::max(0.1, std::abs(whole) / static_cast<double>(count - 1)));
-  if (!shift.table.moduli.empty()) add(count - 1, of_vertical);
+  add(parameter, of_mean_step * std::max(0.1, std::abs(whole) / static_cast<double>(count - 1)));
+  if (!shift.table.moduli.empty()) add(parameter + count - 1, of_vertical);
   return known;
 }
 

@@ -21,10 +21,10 @@ std::vector<double> steps_of_temperature(const std::vector<MeasuredModulus>& dat
 TemperatureShift start_of_free_shifts(const std::vector<MeasuredModulus>& data, const MaterialFitOptions& options);
 
 /// That the steps of log10 a_T, and of log10 b_T if the table has them, from one temperature to the next change little:
-/// by three tenths of the mean step, and by 0.02. By this the shift of least squares is looked for among those that
-/// rows tell equally well; the fit that follows knows nothing of it.
-/// The parameters are those of the shift alone. @param deviation  of the rows, in theirs
-std::vector<KnownBefore> even_steps(const TemperatureShift& shift, double deviation);
+/// by three tenths of the mean step, and by 0.02 (standard deviations). Rows that tell a shift are far surer of it;
+/// where they leave it open, a spectrum with gaps would let steps of nothing and of several decades take turns.
+/// @param deviation  of the rows, in theirs   @param parameter  the first of the shift
+std::vector<KnownBefore> even_steps(const TemperatureShift& shift, double deviation, std::size_t parameter = 0);
 
 /// A law fitted to a table of shifts.
 struct LawThrough {

@@ -4,7 +4,6 @@
 #include <cmath>
 #include <numbers>
 #include <optional>
-#include <span>
 #include <stdexcept>
 #include <utility>
 
@@ -13,6 +12,7 @@
 #include "fitting/material/even_series.hpp"
 #include "fitting/material/free_shifts.hpp"
 #include "fitting/material/material_problem.hpp"
+#include "fitting/material/moduli_fit.hpp"
 #include "fitting/material/series_slopes.hpp"
 
 namespace rollres {
@@ -20,108 +20,12 @@ namespace rollres {
 namespace {
 
 constexpr Quantity relaxation_modulus{"modulus", "G", "Pa", "modulus of one relaxation time", positive};
-constexpr Quantity relaxation_time{"time", "τ", "s", "a relaxation time", positive};
-constexpr Quantity series_modulus{"modulus", "G", "Pa", "modulus of one relaxation time", not_negative};
-constexpr Quantity series_rest{"static_shear_modulus", "G0", "Pa", "G'(0)", not_negative};
 
-PronySeries series_at(PronySeries series, const FitPoint& point) {
-  std::size_t next = 0;
-  if (series.static_modulus > 0) series.static_modulus = point[next++];
-  for (PronySeries::Term& term : series.terms) term.modulus = point[next++];
-  return series;
-}
-
-/// A modulus that may be 0, in parts of what the material has at its time.
-FitParameter linear_parameter(const Quantity& quantity, double value, double size, std::string name) {
-  constexpr double off = 1.1;  // a fit that ends where it starts is no fit
-  return {std::move(name), {quantity, 0, quantity.range.highest, Scaling::linear, size}, off * value};
-}
-
-std::vector<FitParameter> series_parameters(const PronySeries& series) {
-  std::vector<FitParameter> parameters;
-  const double rest = series.static_modulus;
-  if (rest > 0) parameters.push_back(linear_parameter(series_rest, rest, rest, std::string(series_rest.key)));
-  for (const PronySeries::Term& term : series.terms)
-    parameters.push_back(linear_parameter(series_modulus, term.modulus,
-                                          std::abs(complex_modulus(series, 1 / term.time)),
-                                          message_text("modulus (", term.time, " s)")));
-  return parameters;
-}
-
-/// Slopes of a problem whose first parameters are the moduli of a series: those are what a unit modulus adds.
-Slopes series_slopes(const std::vector<MeasuredModulus>& data, const PronySeries& series,
-                     const MaterialFitOptions& options, const FitProblem& problem, const FitPoint& point,
-                     const Prediction& prediction) {
-  constexpr double rounding = 1e-15;
-  const Eigen::Index rows = prediction.values.size(), columns = std::ssize(problem.parameters);
-  Eigen::MatrixXd slopes(rows, columns);
-  const TemperatureShift here = shift_at(options.shift, point, options.free_shifts);
-  const Eigen::MatrixXd units = modulus_slopes(data, here, series);
-  const Eigen::Index moduli = units.cols();
-  for (Eigen::Index j = 0; j < moduli; ++j)
-    slopes.col(j) = problem.parameters[static_cast<std::size_t>(j)].variable.size * units.col(j);
-  if (moduli < columns)
-    slopes.rightCols(columns - moduli) =
-        shift_slopes(data, series_at(series, point), options,
-                     std::span(problem.parameters).last(static_cast<std::size_t>(columns - moduli)),
-                     std::span(point).last(static_cast<std::size_t>(columns - moduli)));
-  return exact_slopes(std::move(slopes), rounding * prediction.values.cwiseAbs());
-}
-
-/// The interval of a linear modulus: that of the slopes, cut off at 0.
-void bound_modulus(FittedParameter& fitted, double threshold, bool profile) {
-  ConfidenceInterval& interval = fitted.linear;
-  if (!std::isfinite(interval.lowest)) return;
-  const bool cut = interval.lowest <= 0;
-  if (cut) {
-    interval.lowest = 0;
-    interval.low = IntervalEnd::limit;
-  }
-  if (!profile) return;
-  const double part = fitted.value / (interval.highest - fitted.value);
-  fitted.profile.interval = interval;
-  fitted.profile.points = {
-      {interval.lowest, cut ? threshold * part * part : threshold}, {fitted.value, 0}, {interval.highest, threshold}};
-}
-
-/// Intervals of a series' parameters: of the moduli and of free shifts by the slopes, of the constants of a law by
-/// profiles.
-void add_intervals(FitReport& report, const FitProblem& problem, std::size_t moduli, const MaterialFitOptions& wanted) {
-  if (!report.slopes.found()) return;
-  const FitOptions& options = wanted.options;
-  const bool profiles = options.profiles && !wanted.free_shifts;
-  const double threshold = interval_threshold(problem);
-  for (std::size_t j = 0; j < moduli; ++j) bound_modulus(report.parameters[j], threshold, options.profiles);
-  const Prediction prediction = problem.predict(report.point());
-  const Descent end{report.point(), report.point(), report.chi_squared, prediction, true, report.stopped};
-  for (std::size_t j = moduli; j < problem.size() && profiles && prediction.found(); ++j)
-    report.parameters[j].profile = profile(problem, end, report.slopes, report.errors, j, threshold, options.stop);
-  judge(report, problem);
-  report.evaluations = problem.log->evaluations();
-}
-
-/// The fit of the moduli of these terms.
-MaterialFit fit_moduli(const std::vector<MeasuredModulus>& data, const PronySeries& series,
-                       const MaterialFitOptions& options) {
-  const std::vector<FitParameter> moduli = series_parameters(series);
-  FitProblem problem = material_problem(data, moduli, options, [series](const FitPoint& point, double omega) {
-    return complex_modulus(series_at(series, point), omega);
-  });
-  const FitProblem plain = problem;
-  problem.model.differentiate = [data, series, plain, options](const FitPoint& point, const Prediction& prediction) {
-    return series_slopes(data, series, options, plain, point, prediction);
-  };
-  FitOptions wanted = options.options;
-  wanted.profiles = false;
-  const FitPoint start = start_point(problem);
-  if (const Prediction there = problem.predict(start); there.found())
-    wanted.known = KnownSlopes{start, there, problem.differentiate(start, there)};
-  MaterialFit answer = material_answer(fit(problem, wanted), options, [series](const FitPoint& point, double omega) {
-    return complex_modulus(series_at(series, point), omega);
-  });
-  add_intervals(answer.report, problem, moduli.size(), options);
-  answer.prony = series_at(series, answer.report.point());
-  return answer;
+/// What rows deviate from a series by, in their deviations.
+double deviation_from(const EvenSeries& series, const std::vector<MeasuredModulus>& data,
+                      const MaterialFitOptions& options) {
+  const double freedom = std::max(1.0, 2 * static_cast<double>(data.size()) - series.moduli());
+  return options.deviations_known ? 1 : std::sqrt(series.squares / freedom);
 }
 
 /// That a smooth spectrum has another loss between the rows: what rows far apart leave open.
@@ -158,23 +62,54 @@ std::vector<double> told_times(const FitReport& report, const PronySeries& serie
   return times;
 }
 
+/// The fit again from times that it has moved, as long as that joins rows better.
+MaterialFit with_settled_times(const std::vector<MeasuredModulus>& data, MaterialFit found, MaterialFitOptions options,
+                               KnownOfSeries known) {
+  constexpr int most_rounds = 4;
+  constexpr double noticeable = 0.05;
+  for (int round = 0; round < most_rounds && found.report.slopes.found(); ++round) {
+    if (!options.deviations_known) known.deviation = std::sqrt(found.report.errors.scale);
+    options.shift = found.shift;
+    PronySeries told = found.prony;
+    std::erase_if(told.terms, [](const PronySeries::Term& term) { return !(term.modulus > 0); });
+    MaterialFit next = fit_moduli(data, told, options, known);
+    if (!(next.report.chi_squared < (1 - noticeable) * found.report.chi_squared)) break;
+    next.notes = found.notes;
+    found = std::move(next);
+  }
+  return found;
+}
+
 MaterialFit fit_even(const std::vector<MeasuredModulus>& data, const MaterialFitOptions& options) {
+  constexpr std::size_t most_moving = 30;  // beyond, descents do not settle
   MaterialFitOptions wanted = options;
   wanted.shift = best_shift(data, options);
   const bool automatic = options.terms == 0;
-  const EvenSeries series = automatic ? automatic_series(data, wanted.shift, options.deviations_known)
-                                      : even_series(data, wanted.shift, options.terms);
+  EvenSeries series = automatic ? automatic_series(data, wanted.shift, options.deviations_known)
+                                : even_series(data, wanted.shift, options.terms);
+  KnownOfSeries known{deviation_from(series, data, options)};
+  if (automatic && options.free_shifts && known.deviation > 0) {
+    EvenSeries denser = even_series(data, wanted.shift, series.times + series.times / 2, series.beyond);
+    if (denser.series.terms.size() <= most_moving) {
+      known.times = SeriesTimes::free;
+      series = std::move(denser);
+    }
+  }
   if (series.series.terms.empty()) throw std::invalid_argument("the moduli are those of an elastic material");
   PronySeries told = series.series;
-  MaterialFit answer = fit_moduli(data, told, wanted);
+  MaterialFit answer = fit_moduli(data, told, wanted, known);
   for (std::vector<double> times = told_times(answer.report, told); automatic && !times.empty();
        times = told_times(answer.report, told)) {
     told = series_at_times(data, wanted.shift, times).series;
-    answer = fit_moduli(data, told, wanted);
+    answer = fit_moduli(data, told, wanted, known);
   }
+  const bool moving = known.times == SeriesTimes::free;
+  if (moving) answer = with_settled_times(data, std::move(answer), wanted, known);
   answer.notes.push_back(message_text(series.times, " relaxation times in even steps of their logarithm",
-                                      automatic ? ", as many as the data ask for" : "", "; ", told.terms.size(),
-                                      " of them have a modulus that is not 0"));
+                                      moving ? ", half as many again as the data ask for, each free within its step"
+                                      : automatic ? ", as many as the data ask for"
+                                                  : "",
+                                      "; ", told.terms.size(), " of them have a modulus that is not 0"));
   warn(answer.report, open_between_rows(data, answer));
   return answer;
 }
@@ -277,8 +212,7 @@ TemperatureShift best_shift(const std::vector<MeasuredModulus>& data, const Mate
     basis = automatic_series(data, shift_of(end), options.deviations_known);
     if (basis.times == times) break;
     times = basis.times;
-    const double freedom = std::max(1.0, 2 * static_cast<double>(data.size()) - basis.moduli()),
-                 deviation = options.deviations_known ? 1 : std::sqrt(basis.squares / freedom);
+    const double deviation = deviation_from(basis, data, options);
     const FitProblem preferring =
         options.free_shifts && deviation > 0 ? with_priors(problem, even_steps(shift_of(end), deviation)) : problem;
     const Descent found = descend(preferring, end, {.tolerance = 1e-4, .stop = options.options.stop});

@@ -102,6 +102,26 @@ Eigen::MatrixXd modulus_slopes(const std::vector<MeasuredModulus>& data, const T
   return unit_moduli(data, shift, times).rightCols(std::ssize(times) + (series.static_modulus > 0 ? 1 : 0));
 }
 
+Eigen::MatrixXd time_slopes(const std::vector<MeasuredModulus>& data, const TemperatureShift& shift,
+                            const PronySeries& series) {
+  const ShiftFactors factors(shift);
+  Eigen::MatrixXd slopes(2 * std::ssize(data), std::ssize(series.terms));
+  Eigen::Index row = 0;
+  for (const MeasuredModulus& measured : data) {
+    const double frequency = measured.angular_frequency * factors.time(measured.temperature),
+                 scale = 1 / factors.modulus(measured.temperature);
+    for (Eigen::Index j = 0; j < slopes.cols(); ++j) {
+      const PronySeries::Term& term = series.terms[static_cast<std::size_t>(j)];
+      const std::complex<double> turned(0, frequency * term.time), one = 1.0 + turned;
+      const std::complex<double> slope = scale * term.modulus * turned / (one * one);
+      slopes(row, j) = slope.real();
+      slopes(row + 1, j) = slope.imag();
+    }
+    row += 2;
+  }
+  return slopes;
+}
+
 Eigen::MatrixXd shift_slopes(const std::vector<MeasuredModulus>& data, const PronySeries& series,
                              const MaterialFitOptions& options, std::span<const FitParameter> constants,
                              std::span<const double> at) {

@@ -16,6 +16,10 @@ namespace rollres {
 Eigen::MatrixXd modulus_slopes(const std::vector<MeasuredModulus>& data, const TemperatureShift& shift,
                                const PronySeries& series);
 
+/// By the logarithms of its times.
+Eigen::MatrixXd time_slopes(const std::vector<MeasuredModulus>& data, const TemperatureShift& shift,
+                            const PronySeries& series);
+
 /// By the scaled constants of the shift, the series as it is.
 /// @param at  the values of the constants
 Eigen::MatrixXd shift_slopes(const std::vector<MeasuredModulus>& data, const PronySeries& series,

@@ -41,7 +41,8 @@ double linear_gain(const FitReport& report, const std::vector<MeasuredModulus>& 
       a(row, parameters + step - (step > reference ? 1 : 0)) = -value.predicted / value.measured.deviation;
   }
   const double left = (residuals - a * least_squares(a, residuals)).squaredNorm();
-  return aicc_of(report) - aicc_of(report, left, report.parameters.size() + static_cast<std::size_t>(others));
+  return aicc_of(report, residuals.squaredNorm(), report.parameters.size()) -
+         aicc_of(report, left, report.parameters.size() + static_cast<std::size_t>(others));
 }
 
 /// "with them AICc would rise by 22"

@@ -7,7 +7,7 @@
 #include "tests/catch.hpp"
 #include "tests/plain_scene.hpp"
 
-// Covers even_series and material_problem, too.
+// Covers even_series, material_problem and moduli_fit, too.
 
 using namespace rollres;
 

@@ -61,6 +61,16 @@ TEST_CASE("a series that follows its shift changes as the series of neighbouring
       const PronySeries series = even_series(data, shift_at(shift, at, options.free_shifts), terms).series;
       const Eigen::MatrixXd stays = shift_slopes(data, series, options, constants, at),
                             follows = following_slopes(data, series, predicted(at, nullptr), options, constants, at);
+      const TemperatureShift here = shift_at(shift, at, options.free_shifts);
+      const Eigen::MatrixXd by_time = time_slopes(data, here, series);
+      for (std::size_t j = 0; j < series.terms.size(); ++j) {
+        constexpr double step = 1e-4;
+        PronySeries below = series, above = series;
+        below.terms[j].time *= std::exp(-step);
+        above.terms[j].time *= std::exp(step);
+        const Eigen::VectorXd differences = (predicted(at, &above) - predicted(at, &below)) / (2 * step);
+        CHECK((by_time.col(static_cast<Eigen::Index>(j)) - differences).norm() < 1e-5 * differences.norm());
+      }
       for (std::size_t k = 0; k < constants.size(); ++k) {
         constexpr double step = 1e-4;
         const Variable& variable = constants[k].variable;
