@@ -17,10 +17,9 @@ namespace rollres {
 namespace {
 
 constexpr int most_coefficients = 160, largest_first_order = 80;
-constexpr double smallest_residual = 1e-14;
-constexpr double rounded_tail = 1e-12;      // last coefficients, relative to the largest
-constexpr double tolerated_between = 0.01;  // violation between graded points, which the error then counts
-constexpr double plainly_wrong = 0.01;      // the same, seen at once
+constexpr double smallest_residual = 1e-14, rounded_tail = 1e-12;  // a tail: last coefficients over the largest
+// Violations between graded points: which the error then counts; seen at once.
+constexpr double tolerated_between = 0.01, plainly_wrong = 0.01;
 /// Orders of graded points at which edges are found and patterns refuted for little work, residuals and evaluations.
 constexpr std::array<int, 2> sketch_orders{14, 22};
 constexpr double first_sketch_residual = 1e-5, sketch_residual = 1e-7;
@@ -229,8 +228,7 @@ double PatternRefinement::take_coating(SpectralState& state, const CoatingMoment
 
 bool PatternRefinement::driven() const { return model_.friction_coefficient > 0 && model_.drive != Drive::rotation; }
 
-/// Checks the last state. Where the drive does not ask for M and N they matter to R_r alone: orders tell its changes
-/// without their own.
+/// Checks the last state. Where the drive does not ask for M and N they matter to R_r alone, and orders tell the rest.
 AssessedSpectral PatternRefinement::settled_and_assessed(Rise& rise) {
   const SpectralSurface surface(problem_, *last_);
   if (!driven()) {

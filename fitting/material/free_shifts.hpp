@@ -43,6 +43,7 @@ std::vector<LawThrough> laws_through(const TemperatureShift& shift);
 struct SuperpositionTest {
   double rms = 0;         ///< of the differences [deg]; NaN: nowhere the same |G*|
   double mean_angle = 0;  ///< of those angles [deg]
+  double between = 0;     ///< about what interpolation between rows misses an angle by (rms) [deg]
   bool holds() const;
   std::string in_words() const;
 };

@@ -101,6 +101,7 @@ TEST_CASE("free shifts hold the truth of spectra with few times, too, and no b_T
         options.options.profiles = false;
         const MaterialFit found = fit_material(data, options);
         CHECK(found.shift.table.moduli.empty());
+        CHECK(superposition_test(data, steps_of_temperature(data)).holds());
         const auto [these, count] = held(found, options.shift.reference);
         inside += these;
         all += count;
