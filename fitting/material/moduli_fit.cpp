@@ -117,7 +117,7 @@ void leave_out_priors(FitReport& report) {
 /// That times are where they are to within 0.3 of the way to the next.
 /// @param parameter  the first of the times   @param deviation  of the rows, in theirs
 std::vector<KnownBefore> near_times(const PronySeries& series, std::size_t parameter, double deviation) {
-  constexpr double of_step = 0.3;
+  constexpr double of_step = 0.3, least_step = 0.1;
   const std::size_t count = series.terms.size();
   std::vector<KnownBefore> known;
   for (std::size_t j = 0; j < count; ++j) {
@@ -128,7 +128,7 @@ std::vector<KnownBefore> near_times(const PronySeries& series, std::size_t param
     KnownBefore& one = known.emplace_back();
     one.parts.push_back({parameter + j, true});
     one.mean = std::log(series.terms[j].time);
-    one.deviation = of_step * std::abs(step) / deviation;
+    one.deviation = of_step * std::max(std::abs(step), least_step) / deviation;
     one.of = "relaxation times";
   }
   return known;
