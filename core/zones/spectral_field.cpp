@@ -140,7 +140,10 @@ Value SpectralField::tail_density(const Tails& tails, const Value& t) const {
 }
 
 SpectralField::Image::Image(const Tails& tails, const VectorXd& weighted)
-    : inside_(-tails.kept), outside_(weighted.size() + tails.left.size()), tails_(tails) {
+    : inside_(-tails.kept),
+      outside_(weighted.size() + tails.left.size()),
+      amplitudes_(tails.amplitudes),
+      rates_(tails.rates) {
   inside_.tail(weighted.size()) += weighted;
   outside_ << weighted, tails.left;
 }
@@ -152,8 +155,7 @@ ArrayXd SpectralField::Image::at(const Interval& zone, const ArrayXd& x) const {
     if (size.minCoeff() <= 1) {
       const Lanes place = t.max(-1).min(1);
       within = harmonic_sum(inside_, place, place, Lanes::Ones().eval());
-      for (Index j = 0; j < tails_.rates.size(); ++j)
-        within += tails_.amplitudes(j) * (tails_.rates(j) * (place - 1)).exp();
+      for (Index j = 0; j < rates_.size(); ++j) within += amplitudes_(j) * (rates_(j) * (place - 1)).exp();
     }
     if (size.maxCoeff() > 1) {
       const Lanes outer = size.max(1);

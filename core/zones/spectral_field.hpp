@@ -66,8 +66,8 @@ class SpectralField {
     Eigen::ArrayXd at(const Interval& zone, const Eigen::ArrayXd& x) const;
 
    private:
-    Eigen::VectorXd inside_, outside_;  // of T_0, T_1, ... in the zone; of the first power on of its continuation
-    Tails tails_;
+    Eigen::VectorXd inside_, outside_;    // of T_0, T_1, ... in the zone; of the first power on of its continuation
+    Eigen::VectorXd amplitudes_, rates_;  // of the tails' exponentials in the zone
   };
   static Tails tails_of(const SpectralProblem& problem, const SpectralDensity& density, double half_length);
 

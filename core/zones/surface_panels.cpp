@@ -277,7 +277,7 @@ class SumOfMoments {
   double over_radius_, w_ = 0;  // of a ring with friction; the coating's part of w [m]
 };
 
-/// Panels from ahead to behind, and of a problem with two sides the coating's moments.
+/// All panels, from ahead to behind.
 std::vector<SurfacePanel> surface_panels(const SpectralProblem& problem, const SpectralState& state,
                                          const SpectralField& field) {
   const std::vector<double> borders = panel_borders(problem, state);
