@@ -55,7 +55,7 @@ struct InteriorSummary {
   double loss = 0;                                         ///< [W/m]; sphere [W]
   double strain_amplitude = 0, peak_strain_amplitude = 0;  ///< as of a layer, of all [1]
   double peak_shear_strain = 0;                            ///< with Detail::surface [1]
-  double peak_x = 0, peak_y = 0, peak_z = 0;               ///< where; y >= 0 [m]
+  double peak_x = 0, peak_y = 0, peak_z = 0;  ///< where; y >= 0 where a contact is its own mirror image [m]
 };
 
 /// @param model of a single passage, with what the answer decided (`with_answer`)   @param fields of its solution
@@ -73,7 +73,7 @@ void add_totals(InteriorSummary& summary, const std::vector<CycleSums>& between,
 void add_interior(const ContactModel& model, RollingSolution& solution);
 
 /// Fields on a section of all layers on one side, down to some half-lengths of the contact; of a cylinder and, at
-/// y = 0, of a sphere x-z, of a sphere also x-y: its surface and its bonds.
+/// the middle of the contact, of a sphere x-z, of a sphere also x-y: its surface and its bonds.
 struct InteriorSection {
   bool on_body;
   std::vector<double> x, y, z;     ///< [m]; one y or one z; z ascending in distance from the contact; at a bond twice

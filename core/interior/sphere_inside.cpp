@@ -20,21 +20,38 @@ namespace {
 
 using Side = LayersInside<VolumeField>;
 
-/// Of the contact along its longest row and column, those nearest to its middle.
+/// Of a contact that is its own mirror image along its longest row and column, those nearest to its middle; of another
+/// what its largest pressures of all columns and rows reach.
 struct SphereExtent {
   Extent x, y;
+  bool mirrored;
 
-  explicit SphereExtent(const SurfaceFields& fields) {
+  explicit SphereExtent(const SurfaceFields& fields) : mirrored(is_mirror_image(fields)) {
     const SurfaceGrid& grid = fields.grid;
-    const auto nearest = [](double place, double first, double spacing, int count) {
-      return std::clamp(static_cast<int>(std::lround((place - first) / spacing)), 0, count - 1);
-    };
-    const int row = nearest(0, grid.y(0), grid.spacing_y, grid.rows);
     const auto pressure = [&](int i, int j) { return fields.pressure[static_cast<std::size_t>(grid.index(i, j))]; };
-    x = extent_of_row([&](int i) { return pressure(i, row); }, grid.columns, grid.x(0), grid.spacing_x);
+    const auto in_row = [&](int j) { return [&, j](int i) { return pressure(i, j); }; };
+    const auto in_column = [&](int i) { return [&, i](int j) { return pressure(i, j); }; };
+    const auto along_x = [&](const auto& p) { return extent_of_row(p, grid.columns, grid.x(0), grid.spacing_x); };
+    const auto along_y = [&](const auto& p) { return extent_of_row(p, grid.rows, grid.y(0), grid.spacing_y); };
+    if (mirrored) {
+      x = along_x(in_row(nearest(0, grid.y(0), grid.spacing_y, grid.rows)));
+      if (std::isfinite(x.middle))
+        y = {0, along_y(in_column(nearest(x.middle, grid.x(0), grid.spacing_x, grid.columns))).half};
+    } else {
+      x = along_x([&](int i) { return largest_of_nodes(in_column(i), grid.rows); });
+      y = along_y([&](int j) { return largest_of_nodes(in_row(j), grid.columns); });
+    }
     if (!std::isfinite(x.middle)) throw std::domain_error("the fields hold no contact to look into");
-    const int column = nearest(x.middle, grid.x(0), grid.spacing_x, grid.columns);
-    y = extent_of_row([&](int j) { return pressure(column, j); }, grid.rows, grid.y(0), grid.spacing_y);
+  }
+
+ private:
+  static int nearest(double place, double first, double spacing, int count) {
+    return std::clamp(static_cast<int>(std::lround((place - first) / spacing)), 0, count - 1);
+  }
+  static double largest_of_nodes(const auto& pressure, int count) {
+    double largest = 0;
+    for (int node = 0; node < count; ++node) largest = std::max(largest, pressure(node));
+    return largest;
   }
 };
 
@@ -67,7 +84,7 @@ class SphereSummary {
     add_ys(extent_.y.half, 2 * extent_.y.half, 4);
     add_ys(2 * extent_.y.half, 4 * extent_.y.half, 3);
     // Where strains are the largest; it stands for no width.
-    y_.push_back(0);
+    y_.push_back(extent_.y.middle);
     width_.push_back(0);
     beside_ = beside_at_bonds(half, finite_thickness(model));
   }
@@ -90,12 +107,27 @@ class SphereSummary {
   }
 
  private:
+  /// @param from, to distances from the contact's middle [m]
   void add_ys(double from, double to, int count) {
     const QuadratureRule& rule = gauss_rule(count);
     for (std::size_t i = 0; i < rule.nodes.size(); ++i) {
-      y_.push_back(from + (to - from) * rule.nodes[i]);
-      width_.push_back(2 * (to - from) * rule.weights[i]);
+      const double beside = from + (to - from) * rule.nodes[i], width = (to - from) * rule.weights[i];
+      if (extent_.mirrored) {
+        y_.push_back(beside);
+        width_.push_back(2 * width);
+        continue;
+      }
+      for (const double y : {extent_.y.middle - beside, extent_.y.middle + beside}) {
+        y_.push_back(y);
+        width_.push_back(width);
+      }
     }
+  }
+
+  /// Of lines of flow beside the contact's middle, on both sides where they differ.
+  std::vector<double> ys_around(double middle, double reach, int count) const {
+    if (extent_.mirrored) return evenly_spaced(std::max(middle - reach, 0.0), middle + reach, count);
+    return evenly_spaced(middle - reach, middle + reach, count);
   }
 
   void add_lines(const Side& side) {
@@ -175,7 +207,9 @@ class SphereSummary {
     constexpr int along = 241, across = 41;
     const double reach = extent_.x.half + beside_;
     const std::vector<double> x = evenly_spaced(extent_.x.middle - reach, extent_.x.middle + reach, along);
-    const std::vector<double> y = evenly_spaced(0, extent_.y.half + beside_, across);
+    const std::vector<double> y = extent_.mirrored
+                                      ? evenly_spaced(0, extent_.y.half + beside_, across)
+                                      : ys_around(extent_.y.middle, extent_.y.half + beside_, 2 * across - 1);
     const VolumeFields fields = side.field.at(x, y, {face}, Wanted::all);
     take_peak(side, {face}, x, y, fields);
     if (face.depth < side.field.medium()[face.layer].thickness) return;
@@ -209,7 +243,7 @@ class SphereSummary {
         if (!(found.value > s_.peak_shear_strain)) continue;
         s_.peak_shear_strain = found.value;
         peak_x_ = found.place;
-        peak_y_ = std::abs(y[j]);
+        peak_y_ = y[j];
         peak_side_ = &side;
         peak_line_ = lines[i];
       }
@@ -226,7 +260,7 @@ class SphereSummary {
     for (int pass = 0; pass < passes; ++pass, along /= 3, across /= 3, down /= 3) {
       const std::vector<InteriorLine> lines = lines_around(peak_line_, side.field.medium(), down, shallowest_);
       const std::vector<double> x = evenly_spaced(peak_x_ - along, peak_x_ + along, points);
-      const std::vector<double> y = evenly_spaced(std::max(peak_y_ - across, 0.0), peak_y_ + across, ys);
+      const std::vector<double> y = ys_around(peak_y_, across, ys);
       take_peak(side, lines, x, y, side.field.at(x, y, lines, Wanted::strains));
     }
   }
@@ -237,7 +271,7 @@ class SphereSummary {
   double shallowest_;              // above which strains are those of the grid [m]
   double beside_ = 0;              // the contact, up to where bonds are looked at [m]
   std::vector<double> x_;          // [m]
-  std::vector<double> y_, width_;  // of lines of flow, those at -y included [m]
+  std::vector<double> y_, width_;  // of lines of flow, with those at -y of a contact that is its mirror image [m]
   std::vector<CycleSums> sums_;    // of each layer
   InteriorSummary s_;
   const Side* peak_side_ = nullptr;
@@ -245,11 +279,12 @@ class SphereSummary {
   double peak_x_ = 0, peak_y_ = 0;
 };
 
-/// x-z at y = 0.
+/// x-z at the contact's middle, y = 0 of one that is its own mirror image.
 InteriorSection upright_section(const Side& side, const SphereExtent& extent, const std::vector<double>& x) {
   const SectionRows rows = section_rows(side.field.medium(), side.on_body, extent.x.half);
-  InteriorSection section{side.on_body, x, {0}, rows.z, rows.layer, {}};
+  InteriorSection section{side.on_body, x, {extent.y.middle}, rows.z, rows.layer, {}};
   section.fields = side.field.at(section.x, section.y, rows.lines, Wanted::density);
+  if (!extent.mirrored) return section;
   section.fields.v.resize(0, 0);
   for (const Component odd : {Component::yz, Component::xy}) {
     section.fields.stress_of(odd).resize(0, 0);
@@ -281,7 +316,7 @@ std::vector<InteriorSection> sphere_sections(const ContactModel& model, const Su
     for (const InteriorLine& face : faces) {
       InteriorSection section{side.on_body,
                               along(extent.x, face_columns),
-                              along({0, extent.y.half}, face_rows),
+                              along(extent.y, face_rows),
                               {side.height_of(face) + 0.0},
                               {face.layer},
                               {}};

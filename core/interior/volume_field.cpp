@@ -5,8 +5,8 @@
 
 #include "core/interior/depth_response.hpp"
 #include "core/interior/flow_loss.hpp"
-#include "core/interior/transverse_response.hpp"
 #include "core/interior/interior_waves.hpp"
+#include "core/interior/transverse_response.hpp"
 #include "core/numerics/solution_limits.hpp"
 #include "core/numerics/threads.hpp"
 
@@ -38,12 +38,27 @@ double farthest_of(const std::vector<double>& values) {
 
 }  // namespace
 
+bool is_mirror_image(const SurfaceFields& fields) {
+  const SurfaceGrid& grid = fields.grid;
+  if (grid.y(0) != -grid.y(grid.rows - 1)) return false;
+  for (int j = 0; 2 * j < grid.rows; ++j)
+    for (int i = 0; i < grid.columns; ++i) {
+      const auto node = static_cast<std::size_t>(grid.index(i, j)),
+                 image = static_cast<std::size_t>(grid.index(i, grid.rows - 1 - j));
+      if (fields.pressure[node] != fields.pressure[image] || fields.shear_x[node] != fields.shear_x[image] ||
+          fields.shear_y[node] != -fields.shear_y[image])
+        return false;
+    }
+  return true;
+}
+
 VolumeField::VolumeField(LayeredMedium medium, double speed, double flow, const SurfaceFields& fields, Detail detail)
     : medium_(std::move(medium)),
       speed_(flow < 0 ? -speed : speed),
       flow_(std::abs(flow)),
       detail_(detail),
-      grid_(fields.grid) {
+      grid_(fields.grid),
+      mirrored_(is_mirror_image(fields)) {
   const auto on_grid = [&](const std::vector<double>& values) {
     return MatrixXd(Eigen::Map<const MatrixXd>(values.data(), grid_.columns, grid_.rows));
   };
@@ -120,6 +135,12 @@ class VolumeField::Sum {
  private:
   static constexpr Index in_block = 32;
 
+  /// Tractions whose mirror image in y is themselves, or their negative.
+  struct Part {
+    MatrixXcd pressure, shear_x, shear_y;  // (kx, ky)
+    bool negative;
+  };
+
   Index terms_of(std::size_t layer) const { return static_cast<Index>(field_.medium_[layer].material.terms.size()); }
 
   /// Which waves are summed, and their tractions.
@@ -136,7 +157,7 @@ class VolumeField::Sum {
         field_.detail_ == Detail::inside ? along_contact / std::max(field_.farthest_x_, field_.farthest_y_) : INFINITY;
     const auto along = [&](double spacing, double reach, double end, double first) {
       return interior_waves(first, phase_per_panel / (reach + end),
-                             std::min({M_PI / spacing, vanished_ / shallowest, highest}));
+                            std::min({M_PI / spacing, vanished_ / shallowest, highest}));
     };
     // Stresses of a half-space are not smooth at its longest waves, those of layers on a base are; memories are poles.
     const double first_y = half_space_ ? 1e-3 / longest : 1 / layers;
@@ -159,9 +180,13 @@ class VolumeField::Sum {
       transformed.imag() = -sine_x * summed;
       return transformed;
     };
-    pressure_ = transform(field_.pressure_, py.cos().matrix());
-    shear_x_ = transform(field_.shear_x_, py.cos().matrix());
-    shear_y_ = complex(0, -1) * transform(field_.shear_y_, py.sin().matrix());
+    const MatrixXd cosine_y = py.cos().matrix(), sine_y = py.sin().matrix();
+    const complex turn(0, -1);
+    parts_.push_back({transform(field_.pressure_, cosine_y), transform(field_.shear_x_, cosine_y),
+                      turn * transform(field_.shear_y_, sine_y), false});
+    if (!field_.mirrored_)
+      parts_.push_back({turn * transform(field_.pressure_, sine_y), turn * transform(field_.shear_x_, sine_y),
+                        transform(field_.shear_y_, cosine_y), true});
     const ArrayXXd at_places = phases(ky_.k, static_cast<int>(y_.size()), [&](int j) { return y_(j); });
     cosine_ = at_places.transpose().cos().matrix();
     sine_ = at_places.transpose().sin().matrix();
@@ -187,19 +212,26 @@ class VolumeField::Sum {
   /// All waves of one kx, summed over ky at places.
   void add(Index wave, Index row, Index count) {
     require_time();
-    const double kx = kx_.k(wave);
-    const std::vector<complex> moduli = moduli_at(field_.medium_, -kx * field_.speed_);
-    const Index ys = y_.size(), waves = ky_.k.size();
+    const std::vector<complex> moduli = moduli_at(field_.medium_, -kx_.k(wave) * field_.speed_);
     const Index kept = wanted_ == Wanted::strains ? Index(components) : Index(with_displacements);
+    Eigen::ArrayXXcd summed = Eigen::ArrayXXcd::Zero(f_.line_loss.size(), kept);
+    for (const Part& part : parts_) add_part(part, wave, row, moduli, summed);
+    put(wave, row, count, moduli, summed);
+  }
+
+  /// @param summed of each place and component
+  void add_part(const Part& part, Index wave, Index row, const std::vector<complex>& moduli, Eigen::ArrayXXcd& summed) {
+    const double kx = kx_.k(wave);
+    const Index ys = y_.size(), waves = ky_.k.size(), kept = summed.cols();
     // (ky; real, then imaginary part of each component) of each line, and how many ky have not vanished there.
     std::vector<MatrixXd> amplitudes(ys > 0 ? lines_.size() : 0, MatrixXd(waves, 2 * kept));
     std::vector<Index> reached(lines_.size(), 0);
     for (Index i = 0; i < waves; ++i) {
       const double ky = ky_.k(i), k = std::hypot(kx, ky), cosine = kx / k, sine = ky / k;
-      const complex qx = shear_x_(wave, i), qy = shear_y_(wave, i);
+      const complex qx = part.shear_x(wave, i), qy = part.shear_y(wave, i);
       const double speed = field_.speed_ * cosine;
       const DepthResponse in_plane(field_.medium_, moduli, k, speed,
-                                   {.pressure = pressure_(wave, i), .shear = cosine * qx + sine * qy});
+                                   {.pressure = part.pressure(wave, i), .shear = cosine * qx + sine * qy});
       const TransverseResponse across(field_.medium_, moduli, k, speed, cosine * qy - sine * qx);
       for (std::size_t line = 0; line < lines_.size(); ++line) {
         if (k * depth_[line] > vanished_) continue;
@@ -219,25 +251,23 @@ class VolumeField::Sum {
         }
       }
     }
-    Eigen::ArrayXXcd summed = Eigen::ArrayXXcd::Zero(f_.line_loss.size(), kept);
     for (std::size_t line = 0; line < amplitudes.size(); ++line) {
       const auto of_line = amplitudes[line].topRows(reached[line]);
       const MatrixXd even = cosine_.leftCols(reached[line]) * of_line, odd = sine_.leftCols(reached[line]) * of_line;
       for (Index c = 0; c < kept; ++c) {
         auto places = summed.col(c).segment(static_cast<Index>(line) * ys, ys);
-        if (is_odd(c)) {
-          places.real() = -odd.col(2 * c + 1).array();
-          places.imag() = odd.col(2 * c).array();
+        if (is_odd(c) != part.negative) {
+          places.real() -= odd.col(2 * c + 1).array();
+          places.imag() += odd.col(2 * c).array();
         } else {
-          places.real() = even.col(2 * c).array();
-          places.imag() = even.col(2 * c + 1).array();
+          places.real() += even.col(2 * c).array();
+          places.imag() += even.col(2 * c + 1).array();
         }
       }
     }
-    put(wave, row, count, moduli, summed);
   }
 
-  /// tau_yz, tau_xy, v
+  /// tau_yz, tau_xy, v, of tractions that are their own mirror image
   static bool is_odd(Index c) { return c == 3 || c == 5 || c == 7; }
 
   /// What is summed over ky becomes rows of the block: strains, stresses, displacements.
@@ -330,7 +360,7 @@ class VolumeField::Sum {
   std::vector<double> depth_;
   std::vector<bool> creeps_;  // layers
   InteriorWaves kx_, ky_;
-  MatrixXcd pressure_, shear_x_, shear_y_;   // (kx, ky)
+  std::vector<Part> parts_;
   MatrixXd cosine_, sine_;                   // of ky y, (y, ky)
   Index summed_;                             // fields
   MatrixXd amplitudes_;                      // of a block: (real, then imaginary parts; places of each field)

@@ -8,11 +8,14 @@
 /// across it one of shear (transverse_response.hpp); with sigma_t = nu (sigma_l + sigma_z) its six stresses turn into
 /// those along x, y, z, and with J = 1/G*(-kx V), which depends on kx alone, the strains are
 ///     epsilon_ij = J/2 [sigma_ij - nu/(1 + nu) sigma_kk delta_ij].
-/// The contact is even in y (tau_yz, tau_xy and v odd): a field is
-///     f(x, y) = (1/pi) Re int_0^inf e^{i kx x} S(kx, y) dkx,  S = (1/pi) int_0^inf f(kx, ky) {cos, i sin}(ky y) dky.
-/// The power lost on a line of flow (y, z) is D = (V/pi) int_0^inf kx Im[conj(sigma) : epsilon] dkx of the S of stress
-/// and strain there, that of a whole depth the same of f(kx, ky), (1/pi) int dky of it, by Parseval. Integrals by
-/// Gauss's rule on panels that widen from what the layers' memories and thicknesses need to what places need.
+/// A field is
+///     f(x, y) = (1/pi) Re int_0^inf e^{i kx x} S(kx, y) dkx,  S = (1/pi) int_0^inf f(kx, ky) {cos, i sin}(ky y) dky
+/// of tractions that are their own mirror image in y: f is even in y, but tau_yz, tau_xy and v are odd. Where the body
+/// is turned or its profile is not symmetric, a second part is added whose mirror image is its negative: cos and sin
+/// change places. The power lost on a line of flow (y, z) is D = (V/pi) int_0^inf kx Im[conj(sigma) : epsilon] dkx of
+/// the S of stress and strain there, that of a whole depth the same of f(kx, ky), (1/pi) int dky of it for each part,
+/// by Parseval. Integrals by Gauss's rule on panels that widen from what the layers' memories and thicknesses need to
+/// what places need.
 
 #include <Eigen/Core>
 #include <array>
@@ -45,6 +48,9 @@ struct VolumeFields {
   Eigen::ArrayXXd& strain_of(Component c) { return strain[static_cast<std::size_t>(c)]; }
 };
 
+/// Whether tractions and grid are their own mirror images in y, to the last digit as half a grid leaves them.
+bool is_mirror_image(const SurfaceFields& fields);
+
 class VolumeField {
  public:
   using Detail = InteriorField::Detail;
@@ -73,6 +79,7 @@ class VolumeField {
   double speed_, flow_;  // flow_ without its sign
   Detail detail_;
   SurfaceGrid grid_;
+  bool mirrored_;
   Eigen::MatrixXd pressure_, shear_x_, shear_y_;  // (column, row) [Pa]
   double farthest_x_ = 0, farthest_y_ = 0;        // of the contact [m]
 };

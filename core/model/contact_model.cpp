@@ -240,7 +240,8 @@ ContactModel ContactModel::with_answer(const RollingSolution& solution) const {
   else if (std::isfinite(solution.mean_temperature))
     softened.warm(std::vector<double>(warmed().size(), solution.mean_temperature));
   softened = softened.with_softening(factors);
-  if (side_force || skew != 0) softened = softened.with_skew(std::tan(solution.skew_angle));
+  if ((side_force || skew != 0) && std::isfinite(solution.skew_angle))
+    softened = softened.with_skew(std::tan(solution.skew_angle));
   if (!std::isfinite(solution.rotation_ratio)) return softened;
   return softened.with_flow(solution.rotation_ratio * (skewed() ? std::hypot(1, softened.skew) : 1));
 }

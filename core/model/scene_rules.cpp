@@ -266,10 +266,6 @@ bool on_half_space(const RollingScene& scene) {
 std::string why_no_interior(const RollingScene& scene) {
   if (scene.period) return "not with a period";
   if (dimension_of(scene.indenter) == 2 && !is_straight(scene)) return "not of a skewed cylinder";
-  if (dimension_of(scene.indenter) == 3 &&
-      !has_mirror(scene.friction_coefficient > 0, is_straight(scene), outline_of(scene)))
-    return is_straight(scene) ? "not of a profile that is not its own mirror image"
-                              : "not of a sphere with skew_angle, lateral_force, camber_angle or pivot";
   if (scene.method == Method::finite_strain) return "not with method \"finite_strain\"";
   return {};
 }
