@@ -4,7 +4,7 @@
 #include <cmath>
 #include <span>
 
-#include "core/interior/interior_lines.hpp"
+#include "core/interior/interior_summary.hpp"
 #include "core/interior/layers_inside.hpp"
 
 namespace rollres {
@@ -26,16 +26,12 @@ Extent extent_of(const SurfaceFields& fields) {
   return {0.5 * (tractions.from() + tractions.to()), 0.5 * (tractions.to() - tractions.from())};
 }
 
-/// States of a line of flow in its plane.
-ArrayXXd states_of(const auto& normal, const auto& shear, Index line) {
-  ArrayXXd states(normal.rows(), 2);
-  states << normal.col(line), shear.col(line);
+/// States of lines of flow: epsilon_x - epsilon_z and gamma_xz, of a skewed cylinder gamma_yz and gamma_xy, too.
+std::vector<ArrayXXd> states_in_plane(const VolumeFields& f) {
+  std::vector<ArrayXXd> states{f.strain_of(Component::x) - f.strain_of(Component::z), f.strain_of(Component::xz)};
+  for (const Component c : {Component::yz, Component::xy})
+    if (f.strain_of(c).size() > 0) states.push_back(f.strain_of(c));
   return states;
-}
-
-ArrayXd shear_strains(const InteriorFields& fields, Index line) {
-  return ((fields.strain_x.col(line) - fields.strain_z.col(line)).square() + fields.shear_strain.col(line).square())
-      .sqrt();
 }
 
 class CylinderSummary {
@@ -68,37 +64,39 @@ class CylinderSummary {
         lines_across(part.field.medium(), part.field.speed(), extent_.half, per_panel);
     std::vector<InteriorLine> lines;
     for (const WeightedLine& line : weighted) lines.push_back(line.line);
-    const InteriorFields fields = part.field.at(x_, lines, InteriorField::Wanted::strains);
-    const ArrayXXd normal = fields.strain_x - fields.strain_z;
+    const VolumeFields fields = part.field.at(x_, lines, InteriorField::Wanted::strains);
+    const std::vector<ArrayXXd> states = states_in_plane(fields);
+    const ArrayXXd shear_strains = largest_shear_strain(fields);
     for (std::size_t i = 0; i < lines.size(); ++i) {
       const auto column = static_cast<Index>(i);
-      const double cycle = amplitude_of(states_of(normal, fields.shear_strain, column));
+      const double cycle = amplitude_of(at_place(states, column));
       s_.lines.push_back({part.on_body, lines[i].layer, part.height_of(lines[i]), weighted[i].weight,
                           fields.line_loss(column), cycle, cycle * cycle});
-      take_peak(part, lines[i], largest_of(x_, shear_strains(fields, column)));
+      take_peak(part, lines[i], largest_of(x_, shear_strains.col(column)));
     }
-    add_lines_between(part, weighted, per_panel, normal, fields);
+    add_lines_between(part, weighted, per_panel, states, fields.line_loss);
   }
 
-  /// @param normal strain along x less that along z   @param fields of Gauss's lines
+  /// @param states, losses of Gauss's lines
   void add_lines_between(const Part& part, const std::vector<WeightedLine>& weighted, int per_panel,
-                         const ArrayXXd& normal, const InteriorFields& fields) {
+                         const std::vector<ArrayXXd>& states, const ArrayXd& losses) {
     constexpr int in_panel = 17;
     const LinesBetween between(per_panel, in_panel);
     const std::size_t layers_before = sums_.size();
     sums_.resize(layers_before + part.field.medium().size());
     const double shallowest = std::max(shallowest_, weighted.front().line.depth);
-    for (Index first = 0; first < normal.cols(); first += per_panel) {
+    for (Index first = 0; first < losses.size(); first += per_panel) {
       const std::vector<WeightedLine> lines = between.lines(
           std::span(weighted).subspan(static_cast<std::size_t>(first), static_cast<std::size_t>(per_panel)));
       const auto of_panel = [&](const ArrayXXd& values) { return between(values.middleCols(first, per_panel)); };
-      const Eigen::MatrixXd normals = of_panel(normal), shears = of_panel(fields.shear_strain),
-                            losses = of_panel(fields.line_loss.transpose());
+      std::vector<Eigen::MatrixXd> moved;
+      for (const ArrayXXd& state : states) moved.push_back(of_panel(state));
+      const Eigen::MatrixXd lost = of_panel(losses.transpose());
       CycleSums& sums = sums_[layers_before + lines.front().line.layer];
       for (std::size_t i = 0; i < lines.size(); ++i) {
         const auto column = static_cast<Index>(i);
-        const double cycle = amplitude_between_points(states_of(normals, shears, column));
-        sums.add(lines[i].weight, losses(column), cycle * cycle, cycle);
+        const double cycle = amplitude_between_points(at_place(moved, column));
+        sums.add(lines[i].weight, lost(column), cycle * cycle, cycle);
         if (part.field.depth_of(lines[i].line) >= shallowest) sums.peak = std::max(sums.peak, cycle);
       }
     }
@@ -112,13 +110,14 @@ class CylinderSummary {
       lines.push_back({layer, layer == 0 ? shallowest_ : 0});
       if (std::isfinite(medium[layer].thickness)) lines.push_back({layer, medium[layer].thickness});
     }
-    const InteriorFields fields = part.field.at(at_bonds_, lines);
+    const VolumeFields fields = part.field.at(at_bonds_, lines);
+    const ArrayXXd shear_strains = largest_shear_strain(fields), sheared = shear_on_bond(fields);
     for (std::size_t i = 0; i < lines.size(); ++i) {
       const auto column = static_cast<Index>(i);
-      take_peak(part, lines[i], largest_of(at_bonds_, shear_strains(fields, column)));
+      take_peak(part, lines[i], largest_of(at_bonds_, shear_strains.col(column)));
       if (lines[i].depth < part.field.medium()[lines[i].layer].thickness) continue;
-      const Largest shear = largest_of(at_bonds_, fields.tau_xz.col(column).abs());
-      const Largest tension = largest_of(at_bonds_, fields.sigma_z.col(column));
+      const Largest shear = largest_of(at_bonds_, sheared.col(column));
+      const Largest tension = largest_of(at_bonds_, fields.stress_of(Component::z).col(column));
       s_.bonds.push_back({part.on_body, lines[i].layer, part.height_of(lines[i]), shear.value, shear.place, 0,
                           std::max(tension.value, 0.0), tension.place, 0});
     }
@@ -140,9 +139,9 @@ class CylinderSummary {
     for (int pass = 0; pass < passes; ++pass, along /= 3, down /= 3) {
       const std::vector<double> x = evenly_spaced(peak_.place - along, peak_.place + along, points);
       const std::vector<InteriorLine> lines = lines_around(peak_line_, part.field.medium(), down, shallowest_);
-      const InteriorFields fields = part.field.at(x, lines, InteriorField::Wanted::strains);
+      const ArrayXXd shear_strains = largest_shear_strain(part.field.at(x, lines, InteriorField::Wanted::strains));
       for (std::size_t i = 0; i < lines.size(); ++i)
-        take_peak(part, lines[i], largest_of(x, shear_strains(fields, static_cast<Index>(i))));
+        take_peak(part, lines[i], largest_of(x, shear_strains.col(static_cast<Index>(i))));
     }
   }
 
@@ -168,22 +167,6 @@ class CylinderSummary {
   InteriorLine peak_line_;
 };
 
-VolumeFields in_plane(InteriorFields&& plane) {
-  VolumeFields f;
-  f.u = std::move(plane.u);
-  f.w = std::move(plane.w);
-  const auto put = [&](Component c, Eigen::ArrayXXd& stress, Eigen::ArrayXXd& strain) {
-    f.stress_of(c) = std::move(stress);
-    f.strain_of(c) = std::move(strain);
-  };
-  put(Component::x, plane.sigma_x, plane.strain_x);
-  put(Component::z, plane.sigma_z, plane.strain_z);
-  put(Component::xz, plane.tau_xz, plane.shear_strain);
-  f.loss_density = std::move(plane.loss_density);
-  f.line_loss = std::move(plane.line_loss);
-  return f;
-}
-
 }  // namespace
 
 InteriorSummary cylinder_summary(const ContactModel& model, const SurfaceFields& fields, InteriorField::Detail detail) {
@@ -200,7 +183,7 @@ std::vector<InteriorSection> cylinder_sections(const ContactModel& model, const 
                                                        InteriorField::Detail::surface)) {
     const SectionRows rows = section_rows(part.field.medium(), part.on_body, extent.half);
     InteriorSection section{part.on_body, evenly_spaced(from, to, columns), {0}, rows.z, rows.layer, {}};
-    section.fields = in_plane(part.field.at(section.x, rows.lines, InteriorField::Wanted::density));
+    section.fields = part.field.at(section.x, rows.lines, InteriorField::Wanted::density);
     turn_upwards(section);
     sections.push_back(std::move(section));
   }

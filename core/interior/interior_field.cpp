@@ -7,6 +7,7 @@
 
 #include "core/interior/depth_response.hpp"
 #include "core/interior/flow_loss.hpp"
+#include "core/interior/interior_waves.hpp"
 #include "core/interior/ring_depth_response.hpp"
 #include "core/numerics/quadrature.hpp"
 #include "core/numerics/solution_limits.hpp"
@@ -64,8 +65,11 @@ InteriorField::InteriorField(LayeredMedium medium, double speed, double flow, co
     for (const MediumLayer& layer : medium_)
       for (const CreepSpectrum::Term& term : layer.material.terms) longest = std::max(longest, speed * term.time);
   const double ends = std::max(std::abs(tractions_.from()), std::abs(tractions_.to()));
-  add_waves((half_space_ ? 1e-6 : 1e-4) / longest, phase_per_panel / (reach + ends));
+  const double lowest = (half_space_ ? 1e-6 : 1e-4) / longest, widest = phase_per_panel / (reach + ends);
+  add_waves(lowest, widest);
   short_compliance_ = medium_.front().material(highest_ * speed).real();
+  if (!fields.shear_y.empty())
+    axial_.emplace(medium_, speed_, flow_, fields, interior_waves(lowest, 0.5 * widest, highest_));
 }
 
 void InteriorField::add_waves(double lowest, double widest) {
@@ -123,7 +127,7 @@ class InteriorField::Sum {
     find_spacing();
   }
 
-  InteriorFields run() {
+  VolumeFields run() {
     constexpr std::size_t in_block = 128;
     for (std::size_t first = 0; first < field_.waves_.size(); first += in_block)
       add(std::span(field_.waves_).subspan(first, std::min(in_block, field_.waves_.size() - first)));
@@ -134,20 +138,14 @@ class InteriorField::Sum {
   }
 
  private:
-  /// In the order in which they are summed, strains first.
-  static constexpr std::array fields_in_order{
-      &InteriorFields::strain_x, &InteriorFields::strain_z, &InteriorFields::shear_strain,
-      &InteriorFields::sigma_x,  &InteriorFields::sigma_z,  &InteriorFields::tau_xz,
-      &InteriorFields::u,        &InteriorFields::w};
-  static constexpr Index of_strains = 3;
+  /// The components of the plane, strains first in the order of what is summed: strains, stresses, u and w.
+  static constexpr std::array in_plane{Component::x, Component::z, Component::xz};
+  static constexpr Index of_strains = in_plane.size(), of_plane = 2 * of_strains + 2;
 
   /// Of lines so near to the surface that their waves have not vanished at the shortest.
   bool near_surface(std::size_t line) const { return depth_[line] * field_.highest_ < vanished; }
-  /// 1, and for lines near the surface smoothly 0 at the shortest wave.
   double fade(std::size_t line, double wavenumber) const {
-    constexpr double from = 0.7, over = 0.3;
-    if (wavenumber < from * field_.highest_ || !near_surface(line)) return 1;
-    return 0.5 * std::erfc(7 * (2 * (wavenumber / field_.highest_ - from) / over - 1));
+    return near_surface(line) ? faded(wavenumber, field_.highest_) : 1;
   }
 
   void find_spacing() {
@@ -202,13 +200,18 @@ class InteriorField::Sum {
 
   void take_sums() {
     const auto count = static_cast<Index>(lines_.size());
-    for (std::size_t field = 0; field < fields_in_order.size(); ++field) {
-      Eigen::ArrayXXd& values = f_.*fields_in_order[field];
-      values = Eigen::ArrayXXd::Zero(x_.size(), count);
-      if (static_cast<Index>(field) < summed_)
-        for (Index line = 0; line < count; ++line)
-          values.col(line) = sums_.col(summed_ * line + static_cast<Index>(field));
+    const auto taken = [&](Index field) {
+      ArrayXXd values = ArrayXXd::Zero(x_.size(), count);
+      if (field < summed_)
+        for (Index line = 0; line < count; ++line) values.col(line) = sums_.col(summed_ * line + field);
+      return values;
+    };
+    for (Index i = 0; i < of_strains; ++i) {
+      f_.strain_of(in_plane[static_cast<std::size_t>(i)]) = taken(i);
+      f_.stress_of(in_plane[static_cast<std::size_t>(i)]) = taken(of_strains + i);
     }
+    f_.u = taken(of_plane - 2);
+    f_.w = taken(of_plane - 1);
   }
 
   void add(const Wave& wave, Index row, Index count) {
@@ -285,12 +288,12 @@ class InteriorField::Sum {
       for (Index i = 0; i < x_.size(); ++i) {
         const PlaneStress deep = field_.tractions_.stresses(x_(i), face_[line]);
         const PlaneStrain moved = strain_of(deep, field_.short_compliance_, nu);
-        f_.sigma_x(i, column) += deep.x.real();
-        f_.sigma_z(i, column) += deep.z.real();
-        f_.tau_xz(i, column) += deep.xz.real();
-        f_.strain_x(i, column) += moved.x.real();
-        f_.strain_z(i, column) += moved.z.real();
-        f_.shear_strain(i, column) += moved.xz.real();
+        f_.stress_of(Component::x)(i, column) += deep.x.real();
+        f_.stress_of(Component::z)(i, column) += deep.z.real();
+        f_.stress_of(Component::xz)(i, column) += deep.xz.real();
+        f_.strain_of(Component::x)(i, column) += moved.x.real();
+        f_.strain_of(Component::z)(i, column) += moved.z.real();
+        f_.strain_of(Component::xz)(i, column) += moved.xz.real();
       }
     }
   }
@@ -298,12 +301,13 @@ class InteriorField::Sum {
   void measure_density() {
     const Index points = x_.size();
     if (points < 2) return;
-    ArrayXXd along(3, points);
+    ArrayXXd along(of_strains, points);
     for (std::size_t line = 0; line < lines_.size(); ++line) {
       const MediumLayer& layer = field_.medium_[lines_[line].layer];
       const auto column = static_cast<Index>(line);
       for (Index i = 0; i < points; ++i)
-        along.col(i) << f_.sigma_x(place(i), column), f_.sigma_z(place(i), column), f_.tau_xz(place(i), column);
+        for (Index c = 0; c < of_strains; ++c)
+          along(c, i) = f_.stress_of(in_plane[static_cast<std::size_t>(c)])(place(i), column);
       const ArrayXd density = flow_loss(
           along, memories_[line], layer.material, x_(1) - x_(0), std::abs(field_.speed_),
           [&](const ArrayXd& stress) { return distortion(stress(0), stress(1), stress(2), layer.poisson_ratio); });
@@ -316,21 +320,23 @@ class InteriorField::Sum {
   ArrayXd x_;
   const std::vector<InteriorLine>& lines_;
   std::vector<double> depth_;
-  std::vector<FaceDepth> face_;            // the same
-  std::vector<double> length_;             // of each line, over that of the face: less of rings
-  std::vector<bool> creeps_;               // layers
-  std::vector<ArrayXXd> memories_;         // of each line: (stress, term)
-  Index summed_ = fields_in_order.size();  // fields
-  Eigen::MatrixXd amplitudes_;             // of a block: (real, then imaginary part of each wave; fields of each line)
-  Eigen::MatrixXd sums_;                   // (point; fields of each line)
+  std::vector<FaceDepth> face_;     // the same
+  std::vector<double> length_;      // of each line, over that of the face: less of rings
+  std::vector<bool> creeps_;        // layers
+  std::vector<ArrayXXd> memories_;  // of each line: (stress, term)
+  Index summed_ = of_plane;         // fields
+  Eigen::MatrixXd amplitudes_;      // of a block: (real, then imaginary part of each wave; fields of each line)
+  Eigen::MatrixXd sums_;            // (point; fields of each line)
   std::vector<complex> compliances_;
   double spacing_ = 0;  // of evenly spaced points, 0 of others
-  InteriorFields f_;
+  VolumeFields f_;
 };
 
-InteriorFields InteriorField::at(const std::vector<double>& x, const std::vector<InteriorLine>& lines,
-                                 Wanted wanted) const {
-  return Sum(*this, x, lines, wanted).run();
+VolumeFields InteriorField::at(const std::vector<double>& x, const std::vector<InteriorLine>& lines,
+                               Wanted wanted) const {
+  VolumeFields f = Sum(*this, x, lines, wanted).run();
+  if (axial_) axial_->add_to(f, x, lines);
+  return f;
 }
 
 }  // namespace rollres

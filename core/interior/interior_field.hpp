@@ -16,11 +16,15 @@
 /// of creep J = J_inf + sum C_m/(1 + i omega tau_m) as springs and dashpots, with y_m the memory mean of the stress
 /// over T_m = V tau_m and E(sigma) = [(1 - nu)(sigma_x^2 + sigma_z^2) - 2 nu sigma_x sigma_z]/2 + tau_xz^2, is
 ///     sum_m C_m/tau_m E(sigma - y_m).
+/// Shear along the axle of a skewed cylinder adds its own part to all of these (axial_field.hpp).
 
 #include <Eigen/Core>
+#include <array>
 #include <cmath>
+#include <optional>
 #include <vector>
 
+#include "core/interior/axial_field.hpp"
 #include "core/interior/surface_tractions.hpp"
 #include "core/surface/layered_medium.hpp"
 
@@ -35,13 +39,25 @@ struct InteriorLine {
 /// Depth of a line below the contact [m].
 double depth_of(const LayeredMedium& medium, const InteriorLine& line);
 
-/// Fields at (x, line), columns being lines; z is up, seen from the layers under the body.
-struct InteriorFields {
-  Eigen::ArrayXXd u, w;                              ///< [m]; 0 over a half-space, which has no place at rest
-  Eigen::ArrayXXd sigma_x, sigma_z, tau_xz;          ///< [Pa]
-  Eigen::ArrayXXd strain_x, strain_z, shear_strain;  ///< epsilon_x, epsilon_z, gamma_xz [1]
-  Eigen::ArrayXXd loss_density;                      ///< [W/m3], if asked for
-  Eigen::ArrayXd line_loss;                          ///< of each line [W/m2]
+/// Components of symmetric tensors, in the order in which they stand.
+enum class Component { x, y, z, yz, xz, xy };
+inline constexpr std::size_t components = 6;
+
+/// Fields at points (x, place); z is up, seen from the layers under the body. Places are lines, in a contact in three
+/// dimensions (line, y) with y running fastest: place = line * ys + y. Of plane strain what has y among its axes is
+/// empty; of a skewed cylinder sigma_y alone, the strain along y being 0.
+struct VolumeFields {
+  Eigen::ArrayXXd u, v, w;  ///< [m], if asked for; 0 over a half-space, which has no place at rest
+  std::array<Eigen::ArrayXXd, components> stress;  ///< [Pa], if asked for
+  std::array<Eigen::ArrayXXd, components> strain;  ///< of shear gamma_ij = 2 epsilon_ij [1]
+  Eigen::ArrayXXd loss_density;                    ///< [W/m3], if asked for
+  Eigen::ArrayXd line_loss;                        ///< of each place [W/m2]
+  Eigen::ArrayXd plane_loss;                       ///< of each line's depth, all y [W/m]; empty of a cylinder
+
+  const Eigen::ArrayXXd& stress_of(Component c) const { return stress[static_cast<std::size_t>(c)]; }
+  const Eigen::ArrayXXd& strain_of(Component c) const { return strain[static_cast<std::size_t>(c)]; }
+  Eigen::ArrayXXd& stress_of(Component c) { return stress[static_cast<std::size_t>(c)]; }
+  Eigen::ArrayXXd& strain_of(Component c) { return strain[static_cast<std::size_t>(c)]; }
 };
 
 class InteriorField {
@@ -64,8 +80,8 @@ class InteriorField {
   enum class Wanted { strains, all, density };
 
   /// @param x ascending [m], evenly spaced for the density
-  InteriorFields at(const std::vector<double>& x, const std::vector<InteriorLine>& lines,
-                    Wanted wanted = Wanted::all) const;
+  VolumeFields at(const std::vector<double>& x, const std::vector<InteriorLine>& lines,
+                  Wanted wanted = Wanted::all) const;
 
   const LayeredMedium& medium() const { return medium_; }
   const SurfaceTractions& tractions() const { return tractions_; }
@@ -89,7 +105,8 @@ class InteriorField {
   bool half_space_, closed_form_;
   SurfaceTractions tractions_;
   std::vector<Wave> waves_;
-  double short_compliance_;  // of the first layer at the shortest waves [1/Pa]
+  double short_compliance_;          // of the first layer at the shortest waves [1/Pa]
+  std::optional<AxialField> axial_;  // of a skewed cylinder
 };
 
 }  // namespace rollres

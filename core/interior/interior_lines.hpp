@@ -58,6 +58,14 @@ struct SectionRows {
 /// @param half of the contact's length
 SectionRows section_rows(const LayeredMedium& medium, bool on_body, double half);
 
+/// States of one line of flow (point, coordinate). @param states of each coordinate (point, line)
+template <class States>
+Eigen::ArrayXXd at_place(const States& states, Eigen::Index line) {
+  Eigen::ArrayXXd of_line(states[0].rows(), static_cast<Eigen::Index>(states.size()));
+  for (std::size_t c = 0; c < states.size(); ++c) of_line.col(static_cast<Eigen::Index>(c)) = states[c].col(line);
+  return of_line;
+}
+
 /// Half of the largest distance between two states of a line of flow, 0 among them.
 /// @param states (point, coordinate), whose distances are those of the strain's cycle (interior_summary.hpp)
 double amplitude_of(const Eigen::ArrayXXd& states);

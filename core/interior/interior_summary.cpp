@@ -56,6 +56,11 @@ Eigen::ArrayXXd largest_shear_strain(const VolumeFields& f) {
   return 2 * j2.sqrt() * (cosine.acos() / 3 + M_PI / 3).sin();
 }
 
+Eigen::ArrayXXd shear_on_bond(const VolumeFields& f) {
+  if (f.stress_of(Component::yz).size() == 0) return f.stress_of(Component::xz).abs();
+  return (f.stress_of(Component::xz).square() + f.stress_of(Component::yz).square()).sqrt();
+}
+
 void turn_upwards(InteriorSection& section) {
   VolumeFields& f = section.fields;
   if (!section.on_body) return;
@@ -67,12 +72,6 @@ void turn_upwards(InteriorSection& section) {
 }
 
 namespace {
-
-/// The inside of a cylinder is that of its plane: shear along the axle is no part of it.
-void require_plane(const ContactModel& model) {
-  if (model.dimension == 2 && model.lateral())
-    throw std::domain_error("the inside of the layers is not computed of a skewed cylinder");
-}
 
 struct LayersOfScene {
   explicit LayersOfScene(const ContactModel& model)
@@ -118,7 +117,6 @@ InteriorSummary with_layers_of_scene(const ContactModel& model, InteriorSummary 
 }  // namespace
 
 InteriorSummary interior_summary(const ContactModel& model, const SurfaceFields& fields, InteriorField::Detail detail) {
-  require_plane(model);
   return model.dimension == 3 ? sphere_summary(model, fields, detail) : cylinder_summary(model, fields, detail);
 }
 
@@ -128,7 +126,6 @@ InteriorSummary inside_of_answer(const ContactModel& model, const RollingSolutio
 }
 
 std::vector<InteriorSection> interior_sections(const ContactModel& model, const SurfaceFields& fields) {
-  require_plane(model);
   std::vector<InteriorSection> sections =
       model.dimension == 3 ? sphere_sections(model, fields) : cylinder_sections(model, fields);
   const LayersOfScene of_scene(model);

@@ -4,11 +4,11 @@
 /// bonds bear, and where power is lost. Fields and their theory: interior_field.hpp, volume_field.hpp.
 ///
 /// The largest shear strain is the difference of the outer principal strains, under a cylinder of those in its plane,
-/// sqrt((epsilon_x - epsilon_z)^2 + gamma_xz^2). Material flows along lines of one y and one depth; the cycle's
-/// amplitude is half of the largest distance between two states of a line, the unstrained one ahead among them: of a
-/// strain that only oscillates, its amplitude. The distance of two states is sqrt((epsilon_x - epsilon_z)^2 +
-/// gamma_xz^2) of their difference under a cylinder, sqrt(2 e : e) of its deviator e under a sphere, the same in plane
-/// strain without change of volume.
+/// sqrt((epsilon_x - epsilon_z)^2 + gamma_xz^2), if it is not skewed. Material flows along lines of one y and one
+/// depth; the cycle's amplitude is half of the largest distance between two states of a line, the unstrained one ahead
+/// among them: of a strain that only oscillates, its amplitude. The distance of two states is sqrt((epsilon_x -
+/// epsilon_z)^2 + gamma_xz^2 + gamma_yz^2 + gamma_xy^2) of their difference under a cylinder, sqrt(2 e : e) of its
+/// deviator e under a sphere, the same in plane strain without change of volume.
 
 #include <vector>
 
@@ -86,6 +86,9 @@ std::vector<InteriorSection> interior_sections(const ContactModel& model, const 
 
 /// Largest shear strain at (x, place); without strains along y that in the plane.
 Eigen::ArrayXXd largest_shear_strain(const VolumeFields& fields);
+
+/// What tau_xz and tau_yz are together on a plane of z at (x, place) [Pa].
+Eigen::ArrayXXd shear_on_bond(const VolumeFields& fields);
 
 /// Fields as outputs count z, upwards also in the layers on the body.
 void turn_upwards(InteriorSection& section);

@@ -1,6 +1,7 @@
 #include "core/interior/interior_waves.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <vector>
 
 #include "core/numerics/quadrature.hpp"
@@ -27,6 +28,12 @@ InteriorWaves interior_waves(double first, double widest, double highest) {
     return Eigen::Map<const Eigen::ArrayXd>(values.data(), static_cast<Eigen::Index>(values.size()));
   };
   return {as_array(k), as_array(weights)};
+}
+
+double faded(double wavenumber, double highest) {
+  constexpr double from = 0.7, over = 0.3;  // of the highest
+  if (wavenumber < from * highest) return 1;
+  return 0.5 * std::erfc(7 * (2 * (wavenumber / highest - from) / over - 1));
 }
 
 }  // namespace rollres

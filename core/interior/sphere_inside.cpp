@@ -62,14 +62,6 @@ std::array<ArrayXXd, 5> states_of(const VolumeFields& f) {
           f.strain_of(Component::xy)};
 }
 
-/// Of one line of flow (point, coordinate).
-template <class States>
-ArrayXXd at_place(const States& states, Index place) {
-  ArrayXXd of_place(states[0].rows(), static_cast<Index>(states.size()));
-  for (std::size_t c = 0; c < states.size(); ++c) of_place.col(static_cast<Index>(c)) = states[c].col(place);
-  return of_place;
-}
-
 class SphereSummary {
  public:
   SphereSummary(const ContactModel& model, const SurfaceFields& fields, Detail detail)
@@ -214,10 +206,10 @@ class SphereSummary {
     take_peak(side, {face}, x, y, fields);
     if (face.depth < side.field.medium()[face.layer].thickness) return;
     Bond bond{side.on_body, face.layer, side.height_of(face)};
+    const ArrayXXd sheared = shear_on_bond(fields);
     for (Index place = 0; place < static_cast<Index>(y.size()); ++place) {
-      const auto stress = [&](Component c) { return fields.stress_of(c).col(place); };
-      const Largest shear = largest_of(x, (stress(Component::xz).square() + stress(Component::yz).square()).sqrt());
-      const Largest tension = largest_of(x, stress(Component::z));
+      const Largest shear = largest_of(x, sheared.col(place));
+      const Largest tension = largest_of(x, fields.stress_of(Component::z).col(place));
       const double at = y[static_cast<std::size_t>(place)];
       if (shear.value > bond.shear) {
         bond.shear = shear.value;

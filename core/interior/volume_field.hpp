@@ -18,35 +18,13 @@
 /// what places need.
 
 #include <Eigen/Core>
-#include <array>
 #include <cmath>
 #include <vector>
 
 #include "core/interior/interior_field.hpp"
-#include "core/scene/solution.hpp"
 #include "core/surface/layered_medium.hpp"
 
 namespace rollres {
-
-/// Components of symmetric tensors, in the order in which they stand.
-enum class Component { x, y, z, yz, xz, xy };
-inline constexpr std::size_t components = 6;
-
-/// Fields at points (x, place), places being (line, y) with y running fastest: place = line * ys + y. z is up, seen
-/// from the layers under the body.
-struct VolumeFields {
-  Eigen::ArrayXXd u, v, w;                         ///< [m], if asked for; 0 over a half-space
-  std::array<Eigen::ArrayXXd, components> stress;  ///< [Pa], if asked for
-  std::array<Eigen::ArrayXXd, components> strain;  ///< of shear gamma_ij = 2 epsilon_ij [1]
-  Eigen::ArrayXXd loss_density;                    ///< [W/m3], if asked for
-  Eigen::ArrayXd line_loss;                        ///< of each place [W/m2]
-  Eigen::ArrayXd plane_loss;                       ///< of each line's depth, all y [W/m]
-
-  const Eigen::ArrayXXd& stress_of(Component c) const { return stress[static_cast<std::size_t>(c)]; }
-  const Eigen::ArrayXXd& strain_of(Component c) const { return strain[static_cast<std::size_t>(c)]; }
-  Eigen::ArrayXXd& stress_of(Component c) { return stress[static_cast<std::size_t>(c)]; }
-  Eigen::ArrayXXd& strain_of(Component c) { return strain[static_cast<std::size_t>(c)]; }
-};
 
 /// Whether tractions and grid are their own mirror images in y, to the last digit as half a grid leaves them.
 bool is_mirror_image(const SurfaceFields& fields);

@@ -265,7 +265,6 @@ bool on_half_space(const RollingScene& scene) {
 
 std::string why_no_interior(const RollingScene& scene) {
   if (scene.period) return "not with a period";
-  if (dimension_of(scene.indenter) == 2 && !is_straight(scene)) return "not of a skewed cylinder";
   if (scene.method == Method::finite_strain) return "not with method \"finite_strain\"";
   return {};
 }

@@ -23,8 +23,8 @@ void check_inside_cylinder(Checks& checks) {
     PlaneStress found{NAN, NAN, NAN};
     if (!s.fields.zone.empty() || !s.fields.panels.empty()) {
       const auto parts = layers_inside<InteriorField>(line, s.fields, 2 * line_width, InteriorField::Detail::surface);
-      const InteriorFields f = parts.front().field.at({x * line_width}, {{0, depth * line_width}});
-      found = {f.sigma_x(0, 0), f.sigma_z(0, 0), f.tau_xz(0, 0)};
+      const VolumeFields f = parts.front().field.at({x * line_width}, {{0, depth * line_width}});
+      found = {f.stress_of(Component::x)(0, 0), f.stress_of(Component::z)(0, 0), f.stress_of(Component::xz)(0, 0)};
     }
     const std::string where = "cylinder on a half-space, x = 0.6 a, " + short_number(depth) + " a deep: ";
     checks.add({where + "σ_x", mcewen, "Pa", expected.x, found.x.real(), 1e-6, why});

@@ -51,14 +51,14 @@ TEST_CASE("stresses below a Hertz line contact are McEwen's, from its surface do
   const InteriorField field(one_layer(INFINITY, 0.5, zener), 1.3, 1, hertz_tractions(2, 0), 3, Detail::surface);
   const std::vector<double> x{-1.4, -0.6, 0, 0.3, 0.999, 2.5};
   for (const double depth : {1e-4, 0.01, 0.1, 0.12, 0.14, 0.786, 3.0}) {
-    const InteriorFields f = field.at(x, {{0, depth}});
+    const VolumeFields f = field.at(x, {{0, depth}});
     for (std::size_t i = 0; i < x.size(); ++i) {
       const InsideStress expected = hertz_line_inside(1, 2, x[i], depth);
       const auto at = static_cast<Eigen::Index>(i);
       INFO("x = " << x[i] << ", depth " << depth);
-      CHECK(std::abs(f.sigma_x(at, 0) - expected.x) < 2e-7 * 2);
-      CHECK(std::abs(f.sigma_z(at, 0) - expected.z) < 2e-7 * 2);
-      CHECK(std::abs(f.tau_xz(at, 0) - expected.xz) < 2e-7 * 2);
+      CHECK(std::abs(f.stress_of(Component::x)(at, 0) - expected.x) < 2e-7 * 2);
+      CHECK(std::abs(f.stress_of(Component::z)(at, 0) - expected.z) < 2e-7 * 2);
+      CHECK(std::abs(f.stress_of(Component::xz)(at, 0) - expected.xz) < 2e-7 * 2);
     }
   }
 }
@@ -68,16 +68,16 @@ TEST_CASE("below a cell with uniform tractions stresses are the mean of Flamant'
   const InteriorField field(one_layer(INFINITY, 0.3, elastic), 1, 1, one_cell(5 / width, 3 / width, width), 2,
                             Detail::inside);
   for (const double depth : {0.5, 1.0}) {
-    const InteriorFields f = field.at({-1, 0.5, 2}, {{0, depth}});
+    const VolumeFields f = field.at({-1, 0.5, 2}, {{0, depth}});
     for (const auto& [i, x] : {std::pair<Eigen::Index, double>{0, -1}, {1, 0.5}, {2, 2}}) {
       InsideStress mean{};  // by Simpson's rule
       for (const auto& [place, weight] : {std::pair{-0.5, 1.0 / 6}, {0.0, 4.0 / 6}, {0.5, 1.0 / 6}}) {
         const InsideStress one = flamant_inside(5, 3, x - place * width, depth);
         mean = {mean.x + weight * one.x, mean.z + weight * one.z, mean.xz + weight * one.xz};
       }
-      CHECK(std::abs(f.sigma_x(i, 0) - mean.x) < 1e-6 * 5);
-      CHECK(std::abs(f.sigma_z(i, 0) - mean.z) < 1e-6 * 5);
-      CHECK(std::abs(f.tau_xz(i, 0) - mean.xz) < 1e-6 * 5);
+      CHECK(std::abs(f.stress_of(Component::x)(i, 0) - mean.x) < 1e-6 * 5);
+      CHECK(std::abs(f.stress_of(Component::z)(i, 0) - mean.z) < 1e-6 * 5);
+      CHECK(std::abs(f.stress_of(Component::xz)(i, 0) - mean.xz) < 1e-6 * 5);
     }
   }
 }
@@ -88,16 +88,16 @@ TEST_CASE("a layer has its tractions at the surface and no displacement at its b
     const InteriorField field(one_layer(thickness, poisson_ratio, zener), 1.3, 1, hertz_tractions(2, 0.5), 3,
                               Detail::surface);
     const std::vector<double> x{-2, -0.7, 0.2, 0.9, 1.5};
-    const InteriorFields f = field.at(x, {{0, 0}, {0, thickness}});
+    const VolumeFields f = field.at(x, {{0, 0}, {0, thickness}});
     const double size = f.w.col(0).abs().maxCoeff();
     for (std::size_t i = 0; i < x.size(); ++i) {
       const auto at = static_cast<Eigen::Index>(i);
       const double root = std::sqrt(std::max(1 - x[i] * x[i], 0.0));
-      CHECK(std::abs(f.sigma_z(at, 0) + 2 * root) < 1e-6);
-      CHECK(std::abs(f.tau_xz(at, 0) - 0.5 * root) < 1e-6);
+      CHECK(std::abs(f.stress_of(Component::z)(at, 0) + 2 * root) < 1e-6);
+      CHECK(std::abs(f.stress_of(Component::xz)(at, 0) - 0.5 * root) < 1e-6);
       CHECK(std::abs(f.u(at, 1)) < 1e-12 * size);
       CHECK(std::abs(f.w(at, 1)) < 1e-12 * size);
-      CHECK(std::abs(f.strain_x(at, 1)) < 1e-12 * f.strain_x.abs().maxCoeff());
+      CHECK(std::abs(f.strain_of(Component::x)(at, 1)) < 1e-12 * f.strain_of(Component::x).abs().maxCoeff());
     }
   }
 }
@@ -114,20 +114,20 @@ TEST_CASE("inside two bonded layers forces balance, and strains are those of the
   for (const auto& [layer, depth] : {std::pair<std::size_t, double>{0, 0.3}, {0, 0.7}, {1, 0.1}, {1, 0.9}}) {
     std::vector<InteriorLine> lines;  // z rising
     for (int i = -2; i <= 2; ++i) lines.push_back({layer, depth - i * h});
-    const InteriorFields f = field.at(x, lines);
+    const VolumeFields f = field.at(x, lines);
     const auto along = [&](const Eigen::ArrayXXd& values) { return slope(values.col(2)); };
     const auto up = [&](const Eigen::ArrayXXd& values) { return slope(values.row(2)); };
-    CHECK(std::abs(along(f.sigma_x) + up(f.tau_xz)) < 1e-6);
-    CHECK(std::abs(along(f.tau_xz) + up(f.sigma_z)) < 1e-6);
-    const double strain = f.shear_strain.abs().maxCoeff();
-    CHECK(std::abs(along(f.u) - f.strain_x(2, 2)) < 1e-6 * strain);
-    CHECK(std::abs(up(f.w) - f.strain_z(2, 2)) < 1e-6 * strain);
-    CHECK(std::abs(up(f.u) + along(f.w) - f.shear_strain(2, 2)) < 1e-6 * strain);
+    CHECK(std::abs(along(f.stress_of(Component::x)) + up(f.stress_of(Component::xz))) < 1e-6);
+    CHECK(std::abs(along(f.stress_of(Component::xz)) + up(f.stress_of(Component::z))) < 1e-6);
+    const double strain = f.strain_of(Component::xz).abs().maxCoeff();
+    CHECK(std::abs(along(f.u) - f.strain_of(Component::x)(2, 2)) < 1e-6 * strain);
+    CHECK(std::abs(up(f.w) - f.strain_of(Component::z)(2, 2)) < 1e-6 * strain);
+    CHECK(std::abs(up(f.u) + along(f.w) - f.strain_of(Component::xz)(2, 2)) < 1e-6 * strain);
   }
-  const InteriorFields f = field.at(x, {{0, 0.8}, {1, 0}});
+  const VolumeFields f = field.at(x, {{0, 0.8}, {1, 0}});
   CHECK(std::abs(f.u(2, 0) - f.u(2, 1)) < 1e-12 * std::abs(f.w(2, 0)));
-  CHECK(std::abs(f.sigma_z(2, 0) - f.sigma_z(2, 1)) < 1e-12 * 2);
-  CHECK(std::abs(f.tau_xz(2, 0) - f.tau_xz(2, 1)) < 1e-12 * 2);
+  CHECK(std::abs(f.stress_of(Component::z)(2, 0) - f.stress_of(Component::z)(2, 1)) < 1e-12 * 2);
+  CHECK(std::abs(f.stress_of(Component::xz)(2, 0) - f.stress_of(Component::xz)(2, 1)) < 1e-12 * 2);
 }
 
 TEST_CASE("the transforms of tractions end with the time that a solution may take", "[core][interior]") {
@@ -165,10 +165,10 @@ TEST_CASE("a layer cut in two of one material is the same layer", "[core][interi
   const InteriorField whole(one_layer(1.5, 0.5, zener), 1.3, 1, hertz_tractions(2, 0.5), 3, Detail::surface);
   const InteriorField cut({{0.6, 0.5, 0, zener}, {0.9, 0.5, 0, zener}}, 1.3, 1, hertz_tractions(2, 0.5), 3,
                           Detail::surface);
-  const InteriorFields one = whole.at({-0.5, 0.7}, {{0, 0.3}, {0, 1.1}}),
-                       two = cut.at({-0.5, 0.7}, {{0, 0.3}, {1, 0.5}});
-  CHECK((one.sigma_x - two.sigma_x).abs().maxCoeff() < 1e-8);
-  CHECK((one.shear_strain - two.shear_strain).abs().maxCoeff() < 1e-8 * one.shear_strain.abs().maxCoeff());
+  const VolumeFields one = whole.at({-0.5, 0.7}, {{0, 0.3}, {0, 1.1}}), two = cut.at({-0.5, 0.7}, {{0, 0.3}, {1, 0.5}});
+  CHECK((one.stress_of(Component::x) - two.stress_of(Component::x)).abs().maxCoeff() < 1e-8);
+  CHECK((one.strain_of(Component::xz) - two.strain_of(Component::xz)).abs().maxCoeff() <
+        1e-8 * one.strain_of(Component::xz).abs().maxCoeff());
   CHECK(two.line_loss(0) == Approx(one.line_loss(0)).epsilon(1e-9));
   CHECK(two.line_loss(1) == Approx(one.line_loss(1)).epsilon(1e-9));
 }
@@ -179,7 +179,7 @@ TEST_CASE("the density of the loss, along a line of flow, sums to the line's los
   const InteriorField field(one_layer(1, 0.4, material), 1, 1, hertz_tractions(2, 0.5), 9, Detail::surface);
   std::vector<double> x;
   for (int i = 0; i <= 1800; ++i) x.push_back(-9 + 0.01 * i);
-  const InteriorFields f = field.at(x, {{0, 0.25}, {0, 0.9}}, InteriorField::Wanted::density);
+  const VolumeFields f = field.at(x, {{0, 0.25}, {0, 0.9}}, InteriorField::Wanted::density);
   for (const Eigen::Index line : {0, 1}) {
     CHECK(f.loss_density.col(line).minCoeff() >= 0);
     CHECK(0.01 * f.loss_density.col(line).sum() == Approx(f.line_loss(line)).epsilon(1e-4));  // step squared
