@@ -86,7 +86,7 @@ void AxialField::add_to(VolumeFields& f, const std::vector<double>& x, const std
   const auto points = static_cast<Index>(x.size()), count = static_cast<Index>(lines.size()), waves = waves_.k.size();
   const Component sheared[] = {Component::xy, Component::yz};
   for (const Component c : sheared) f.stress_of(c) = f.strain_of(c) = ArrayXXd::Zero(points, count);
-  f.strain_of(Component::y) = f.v = ArrayXXd::Zero(points, count);
+  f.v = ArrayXXd::Zero(points, count);
   if (points == 0) return;
   const ArrayXXd phase = (Eigen::Map<const ArrayXd>(x.data(), points).matrix() * waves_.k.matrix().transpose()).array();
   const Eigen::MatrixXd cosine = phase.cos().matrix(), sine = phase.sin().matrix();

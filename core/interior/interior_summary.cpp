@@ -41,13 +41,14 @@ void add_totals(InteriorSummary& s, const std::vector<CycleSums>& between, doubl
 /// pi i/3), cos(3 theta) = sqrt(27) J3/(2 J2^1.5): their largest difference is 2 sqrt(J2) sin(theta + pi/3).
 Eigen::ArrayXXd largest_shear_strain(const VolumeFields& f) {
   const Eigen::ArrayXXd& x = f.strain_of(Component::x);
-  if (f.strain_of(Component::y).size() == 0)
+  if (f.strain_of(Component::y).size() == 0 && f.strain_of(Component::yz).size() == 0)
     return ((x - f.strain_of(Component::z)).square() + f.strain_of(Component::xz).square()).sqrt();
   const auto of = [&](Component c) {
     const Eigen::ArrayXXd& strain = f.strain_of(c);
     return strain.size() > 0 ? strain : Eigen::ArrayXXd::Zero(x.rows(), x.cols()).eval();
   };
-  const Eigen::ArrayXXd &y = f.strain_of(Component::y), &z = f.strain_of(Component::z);
+  const Eigen::ArrayXXd y = of(Component::y);
+  const Eigen::ArrayXXd& z = f.strain_of(Component::z);
   const Eigen::ArrayXXd yz = 0.5 * of(Component::yz), xz = 0.5 * of(Component::xz), xy = 0.5 * of(Component::xy);
   const Eigen::ArrayXXd mean = (x + y + z) / 3, ex = x - mean, ey = y - mean, ez = z - mean;
   const Eigen::ArrayXXd j2 = 0.5 * (ex.square() + ey.square() + ez.square()) + yz.square() + xz.square() + xy.square();

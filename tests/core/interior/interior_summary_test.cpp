@@ -37,6 +37,29 @@ TEST_CASE("the loss summed over the inside of the layer is that of its surface",
   }
 }
 
+TEST_CASE("the inside of a skewed cylinder loses what its surface takes up, under it and in its cover",
+          "[core][interior][skew]") {
+  RollingScene scene = continuous(0.2);
+  scene.drive = Drive::free;
+  scene.skew_angle = 0.04;
+  scene.tolerance = 1e-4;
+  scene.interior = Interior::on;
+  const RollingSolution left = converged(scene);
+  CHECK(left.interior_loss == Approx(left.viscous_loss).epsilon(1e-5));
+  RollingScene straight = scene;
+  straight.skew_angle.reset();
+  CHECK(left.viscous_loss > 1.03 * converged(straight).viscous_loss);
+  scene.skew_angle = -0.04;
+  const RollingSolution right = converged(scene);
+  CHECK(right.peak_shear_strain == Approx(left.peak_shear_strain).epsilon(1e-9));
+  CHECK(right.bond_shear == Approx(left.bond_shear).epsilon(1e-9));
+  // Without friction nothing is drawn along the axle.
+  scene.friction_coefficient = 0;
+  scene.drive = Drive::top_force;
+  const RollingSolution smooth = converged(scene);
+  CHECK(smooth.interior_loss == Approx(smooth.viscous_loss).epsilon(1e-5));
+}
+
 TEST_CASE("the half-length on a grid follows the contact smoothly, and is that of continuous edges as cells shrink",
           "[core][interior]") {
   RollingScene scene = continuous(0);

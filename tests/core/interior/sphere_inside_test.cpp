@@ -38,6 +38,27 @@ TEST_CASE("the loss summed over the inside of a sphere's layers is that of their
   }
 }
 
+TEST_CASE("the inside of a turned sphere loses what its surface takes up, and turned back is its mirror image",
+          "[core][interior][turned]") {
+  RollingScene scene = rubber_sphere(0.2, 0.5e-3);
+  const auto missed = [](const RollingSolution& s) { return s.interior_loss / s.viscous_loss - 1; };
+  scene.interior = Interior::on;
+  const RollingSolution straight = converged(scene);
+  scene.skew_angle = 0.03;
+  scene.camber_angle = 0.1;
+  const RollingSolution left = converged(scene);
+  CHECK(left.viscous_loss > 1.02 * straight.viscous_loss);
+  CHECK(missed(left) == Approx(missed(straight)).epsilon(0.1));  // what this grid misses of a straight sphere
+  scene.skew_angle = -0.03;
+  scene.camber_angle = -0.1;
+  const RollingSolution right = converged(scene);
+  CHECK(std::abs(left.peak_shear_strain_y) > 1e-5);
+  CHECK(right.peak_shear_strain_y == Approx(-left.peak_shear_strain_y).epsilon(1e-6));
+  CHECK(right.peak_shear_strain == Approx(left.peak_shear_strain).epsilon(1e-9));
+  CHECK(right.bond_shear == Approx(left.bond_shear).epsilon(1e-9));
+  CHECK(right.strain_amplitude == Approx(left.strain_amplitude).epsilon(1e-9));
+}
+
 TEST_CASE("the largest shear strain under a Hertz sphere is Huber's", "[core][interior][long]") {
   RollingScene scene = rubber_sphere(0);
   scene.spacing.reset();

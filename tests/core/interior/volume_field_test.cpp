@@ -131,8 +131,9 @@ TEST_CASE(
     }
 }
 
-TEST_CASE("the density of the loss adds up along a line of flow, lines to a depth, and backward flow is the mirror image",
-          "[core][interior]") {
+TEST_CASE(
+    "the density of the loss adds up along a line of flow, lines to a depth, and backward flow is the mirror image",
+    "[core][interior]") {
   const SurfaceFields tractions = bell_tractions(2, 0);
   const VolumeField field(two_layers(), 1.3, 1, tractions, Detail::surface);
   std::vector<double> x, y;
@@ -159,6 +160,38 @@ TEST_CASE("the density of the loss adds up along a line of flow, lines to a dept
       CHECK(at(there.strain, Component::xz, i, line) ==
             Approx(-at(here.strain, Component::xz, 1 - i, line)).epsilon(1e-9));
     }
+}
+
+TEST_CASE("a contact beside the middle has the inside of one in the middle", "[core][interior]") {
+  // Moved by two rows it is no longer its own mirror image: both parts of the tractions are needed, with their signs.
+  constexpr int rows = 2;
+  const SurfaceFields middle = bell_tractions(2, 0.8, 0.5);
+  SurfaceFields moved = middle;
+  moved.grid.first_row += rows;
+  CHECK(is_mirror_image(middle));
+  CHECK_FALSE(is_mirror_image(moved));
+  const double beside = rows * middle.grid.spacing_y;
+  const std::vector<double> x{-0.7, 0.1, 0.6}, y{-0.5, 0, 0.35};
+  std::vector<double> y_moved = y;
+  for (double& place : y_moved) place += beside;
+  const std::vector<InteriorLine> lines{{0, 0.3}, {0, 0.8}, {1, 0.5}};
+  const VolumeFields f = VolumeField(two_layers(), 1.3, 1, middle, Detail::surface).at(x, y, lines, Wanted::density);
+  const VolumeFields g =
+      VolumeField(two_layers(), 1.3, 1, moved, Detail::surface).at(x, y_moved, lines, Wanted::density);
+  const auto same = [](const Eigen::ArrayXXd& one, const Eigen::ArrayXXd& other, double size) {
+    return (one - other).abs().maxCoeff() < 1e-7 * size;
+  };
+  const double stress = f.stress_of(Component::z).abs().maxCoeff(), strain = f.strain_of(Component::z).abs().maxCoeff();
+  for (const Component c : all) {
+    CHECK(same(f.stress_of(c), g.stress_of(c), stress));
+    CHECK(same(f.strain_of(c), g.strain_of(c), strain));
+    CHECK(f.stress_of(c).abs().maxCoeff() > 1e-3 * stress);
+  }
+  for (const auto field : {&VolumeFields::u, &VolumeFields::v, &VolumeFields::w})
+    CHECK(same(f.*field, g.*field, f.w.abs().maxCoeff()));
+  CHECK(same(f.loss_density, g.loss_density, f.loss_density.maxCoeff()));
+  CHECK(same(f.line_loss, g.line_loss, f.line_loss.maxCoeff()));
+  CHECK(same(f.plane_loss, g.plane_loss, f.plane_loss.maxCoeff()));
 }
 
 TEST_CASE("fields without a contact have no inside", "[core][interior]") {

@@ -34,7 +34,6 @@ TEST_CASE("each rule of heat is told by the input that breaks it", "[core][heat]
   };
   check_rule("heat = on: not of a sphere", [](RollingScene& s) { s.indenter = Indenter::sphere; });
   check_rule("heat = on: not with a period", [](RollingScene& s) { s.period = 0.2; });
-  check_rule("heat = on: not of a skewed cylinder", [](RollingScene& s) { s.skew_angle = 0.01; });
   check_rule("heat = on: not with method \"finite_strain\"", [](RollingScene& s) { s.method = Method::finite_strain; });
   check_rule("heat = on: only with kinematics \"consistent\"",
              [](RollingScene& s) { s.kinematics = Kinematics::printed; });

@@ -226,6 +226,19 @@ TEST_CASE("friction heats the face, and a floor keeps what it loses itself", "[c
   CHECK(rubbed.surface_temperature == Approx(rubbed.bond_temperature).epsilon(1e-9));
 }
 
+TEST_CASE("a skewed roll is the warmer for what its axle costs", "[core][heat][skew]") {
+  RollingScene scene = warm_wheel();
+  scene.friction_coefficient = 0.3;
+  const RollingSolution straight = converged(scene);
+  scene.skew_angle = 0.02;
+  const RollingSolution skewed = converged(scene);
+  CHECK(skewed.mean_temperature > straight.mean_temperature + 1);
+  const double given_off = skewed.heat_to_air + skewed.heat_to_ground + skewed.heat_to_core;
+  CHECK(given_off == Approx(skewed.viscous_loss + skewed.frictional_loss).epsilon(1e-3));
+  CHECK(given_off == Approx(skewed.rolling_resistance * scene.speed).epsilon(2e-3));
+  CHECK(skewed.frictional_loss > 0.02 * given_off);
+}
+
 TEST_CASE("where more is lost than leaves at any temperature there is no steady state, and the reason says how much",
           "[core][heat]") {
   RollingScene scene = narrow_wheel(293.15);

@@ -172,14 +172,14 @@ TEST_CASE("a profile that is none is refused by name", "[core][roller]") {
   CHECK_THAT(rule(scene), Contains("profile_places: only with indenter \"profile\""));
   scene = profiled(conical);
   scene.interior = Interior::on;
-  CHECK_THAT(rule(scene), Contains("interior = on: not of a profile that is not its own mirror image"));
+  CHECK(rule(scene).empty());
   scene = good;
   scene.interior = Interior::on;
   CHECK(rule(scene).empty());
   scene.friction_coefficient = 0;
   scene.drive = Drive::top_force;
   scene.skew_angle = 0.1;
-  CHECK_THAT(rule(scene), Contains("interior = on: not of a sphere with skew_angle"));
+  CHECK(rule(scene).empty());
   scene = good;
   scene.kinematics = Kinematics::printed;
   CHECK_THAT(rule(scene), Contains("indenter = profile: only with kinematics \"consistent\""));

@@ -131,6 +131,23 @@ TEST_CASE("under a sphere, too, the moduli are those of the strains, and a small
   CHECK(converged(scene).rolling_resistance == Approx(converged(linear).rolling_resistance).epsilon(1e-3));
 }
 
+TEST_CASE("moduli of the strains go with a skew, of a cylinder and of a sphere", "[core][strain][skew]") {
+  for (const Indenter body : {Indenter::cylinder, Indenter::sphere}) {
+    RollingScene scene = soft_scene(body == Indenter::sphere ? 30 : 1e4);
+    scene.indenter = body;
+    scene.friction_coefficient = 0.3;
+    scene.drive = Drive::free;
+    const RollingSolution straight = converged(scene);
+    scene.skew_angle = 0.03;
+    const RollingSolution left = converged(scene);
+    linear_twin(scene, left);
+    CHECK(left.strain_amplitude > 1.001 * straight.strain_amplitude);
+    CHECK(left.strain_amplitude < 1.2 * straight.strain_amplitude);
+    scene.skew_angle = -0.03;
+    CHECK(converged(scene).strain_amplitude == Approx(left.strain_amplitude).epsilon(1e-9));
+  }
+}
+
 TEST_CASE("softening with the load bends the power law of the resistance", "[core][strain]") {
   const auto exponent = [](RollingScene scene) {
     scene.load = 5e3;

@@ -212,9 +212,6 @@ TEST_CASE("what a skewed cylinder is not solved with is said", "[core][skew]") {
   CHECK_THAT(rule(other), Catch::Matchers::Contains("skew_angle: not with method \"spectral\" and friction") ||
                               Catch::Matchers::Contains("only with method"));
   other = scene;
-  other.interior = Interior::on;
-  CHECK_THAT(rule(other), Catch::Matchers::Contains("interior = on: not of a skewed cylinder"));
-  other = scene;
   other.skew_angle.reset();
   other.axial_force = 10;
   other.friction_coefficient = 0;

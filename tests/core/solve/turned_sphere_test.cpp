@@ -168,7 +168,7 @@ TEST_CASE("what a turned body is not solved with is said", "[core][turned]") {
   CHECK_THAT(rule(other), Contains("not with a coating and friction"));
   other = scene;
   other.interior = Interior::on;
-  CHECK_THAT(rule(other), Contains("interior = on: not of a sphere with skew_angle"));
+  CHECK(rule(other).empty());
   other = paper_cylinder();
   other.pivot = 3;
   CHECK_THAT(rule(other), Contains("pivot = 3: only for a sphere"));
