@@ -95,7 +95,7 @@ std::string method(const ContactModel& model) {
   const std::string name(name_of(model.method));
   if (model.asked_method != Method::automatic) return name + ", as asked for";
   if (model.loaded) return name + ": the pressure is given";
-  if (model.method == Method::spectral) return name + ": continuous edges of contact, no grid";
+  if (model.method == Method::spectral) return name + ": continuous edges of contact, and a grid where they give no answer";
   if (model.dimension == 3) return name + ": a body of three dimensions is solved on a grid";
   if (model.spacing) return name + ": the scene gives a spacing";
   return name + ": continuous edges do not apply, " + spectral_refusal(model);

@@ -190,6 +190,9 @@ void check_drive(const RollingScene& scene, BrokenRules& broken) {
   if (torque && !scene.driving_torque) broken.add_missing("driving_torque", "drive \"torque\" needs it");
   if (!torque && scene.driving_torque)
     broken.add("driving_torque", *scene.driving_torque, "only with drive \"torque\"");
+  if (torque && scene.friction_coefficient == 0 && scene.driving_torque.value_or(0) != 0)
+    broken.add("driving_torque", *scene.driving_torque,
+               "needs a friction_coefficient > 0: without friction nothing holds the body against it");
   if (rotation && !scene.rotation_ratio) broken.add_missing("rotation_ratio", "drive \"rotation\" needs it");
   if (!rotation && scene.rotation_ratio)
     broken.add("rotation_ratio", *scene.rotation_ratio, "only with drive \"rotation\"");

@@ -14,7 +14,6 @@
 /// layers and friction take by the fields; with printed kinematics, less the power that these leave over.
 
 #include "core/convolution/influence_operator.hpp"
-#include "core/estimate/assumptions.hpp"
 #include "core/newton/contact_powers.hpp"
 #include "core/newton/contact_problem.hpp"
 #include "core/newton/newton_system.hpp"
@@ -33,18 +32,5 @@ struct GridSolution {
 /// @param zone the method's claim for every node of the (half) grid   @param edge what R_r is corrected by
 GridSolution summarise(const ContactProblem& problem, const InfluenceOperator& influence,
                        const ContactUnknowns& unknowns, const std::vector<Zone>& zone, const EdgeCorrection& edge = {});
-
-/// Warnings about the scene and its solution: strain, slope, inertia, resolution, period.
-/// @param assumed  what the model rests on
-std::vector<std::string> warnings_for(const ContactModel& model, const RollingSolution& solution,
-                                      const std::vector<Assumption>& assumed);
-
-/// Why a tolerance has no answer, or the one found without inertia is none: its layers' inertia counts, but the body is
-/// faster than their waves. Empty otherwise.
-std::string unanswered_inertia(const ContactModel& model);
-std::string unanswered_inertia(const ContactModel& model, const RollingSolution& solution);
-
-/// What the model leaves out and why, with the number that justifies it.
-std::string model_of(const ContactModel& model, const RollingSolution& solution);
 
 }  // namespace rollres

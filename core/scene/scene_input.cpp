@@ -59,6 +59,22 @@ std::optional<LayerKey> layer_key(std::string_view key) {
   return LayerKey{key.substr(0, open), *layer, input};
 }
 
+std::vector<std::string> layer_keys(const RollingScene& scene) {
+  std::vector<std::string> keys{"layer"};
+  visit_inputs(scene, [&](const Quantity& quantity, const auto& value) {
+    if constexpr (std::is_same_v<std::decay_t<decltype(value)>, BondedLayers>)
+      for (std::size_t i = 0; i < value.size(); ++i)
+        keys.push_back(std::string(quantity.key) + "[" + std::to_string(i) + "]");
+  });
+  return keys;
+}
+
+MaterialInputs& layer_of(RollingScene& scene, std::string_view name) {
+  const std::optional<ElementKey> key = element_key(name);
+  if (!key) return scene;
+  return (key->list == "coating_layers" ? scene.coating_layers : scene.lower_layers).at(key->place);
+}
+
 std::optional<ElementKey> element_key(std::string_view key) {
   const std::size_t open = key.rfind('[');
   if (open == 0 || open == std::string_view::npos || key.back() != ']') return {};

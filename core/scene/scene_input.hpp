@@ -28,6 +28,13 @@ struct LayerKey {
 /// Takes a key LIST[N].INPUT apart, whether or not there are such a list and input; nothing for any other key.
 std::optional<LayerKey> layer_key(std::string_view key);
 
+/// The layers of a scene by name: "layer" in contact with the body, then "lower_layers[0]" and on, "coating_layers[0]"
+/// and on.
+std::vector<std::string> layer_keys(const RollingScene& scene);
+
+/// A layer of the scene. @param name one of `layer_keys`
+MaterialInputs& layer_of(RollingScene& scene, std::string_view name);
+
 /// The key of a number of a list, taken apart.
 struct ElementKey {
   std::string_view list;  ///< "relaxation_moduli", of a further layer "coating_layers[0].relaxation_moduli"

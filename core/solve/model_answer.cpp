@@ -21,6 +21,7 @@
 #include "core/solve/coating_flow.hpp"
 #include "core/solve/doubts.hpp"
 #include "core/solve/grid_answer.hpp"
+#include "core/solve/model_notes.hpp"
 #include "core/solve/torque_limit.hpp"
 #include "core/solve/turned_axle.hpp"
 #include "core/zones/spectral_contact.hpp"
@@ -184,7 +185,10 @@ RollingSolution solve_at_skew(const ContactModel& full) {
     solved = model;
     return judged_answer(model, zones);
   });
-  if (solution.status != Status::converged) return solution;
+  if (solution.status != Status::converged) {
+    warn_of_materials(full, solution.warnings);  // of a table that is no material's there may be no answer
+    return solution;
+  }
   describe(*solved, solution);
   turn_to_travel(full, solution);
   return solution;

@@ -1,3 +1,5 @@
+#include "core/solve/model_notes.hpp"
+
 #include <algorithm>
 #include <cmath>
 
@@ -90,6 +92,20 @@ std::string unanswered_inertia(const ContactModel& model, const RollingSolution&
                       model.speed / std::sqrt(number), " m/s; inertia = off leaves it out");
 }
 
+void warn_of_materials(const ContactModel& model, std::vector<std::string>& warnings) {
+  const auto warn_of = [&](const std::vector<ModelLayer>& layers, const auto& owner) {
+    const std::vector<std::size_t> places = layers_of_scene(layers);
+    for (std::size_t i = 0; i < layers.size(); ++i) {
+      if (layers[i].continues) continue;
+      for (const std::string& line : material_warnings(layers[i])) warnings.push_back(owner(places[i]) + line);
+    }
+  };
+  warn_of(model.foundation, [](std::size_t place) {
+    return place == 0 ? std::string() : message_text("lower_layers[", place - 1, "]: ");
+  });
+  warn_of(model.coating, [](std::size_t place) { return message_text("coating_layers[", place, "]: "); });
+}
+
 std::vector<std::string> warnings_for(const ContactModel& model, const RollingSolution& solution,
                                       const std::vector<Assumption>& assumed) {
   std::vector<std::string> warnings;
@@ -137,17 +153,7 @@ std::vector<std::string> warnings_for(const ContactModel& model, const RollingSo
                                       " of the power goes neither into the layers nor into friction; kinematics "
                                       "\"consistent\" balances it"));
   }
-  const auto warn_of = [&](const std::vector<ModelLayer>& layers, const auto& owner) {
-    const std::vector<std::size_t> places = layers_of_scene(layers);
-    for (std::size_t i = 0; i < layers.size(); ++i) {
-      if (layers[i].continues) continue;
-      for (const std::string& line : material_warnings(layers[i])) warnings.push_back(owner(places[i]) + line);
-    }
-  };
-  warn_of(model.foundation, [](std::size_t place) {
-    return place == 0 ? std::string() : message_text("lower_layers[", place - 1, "]: ");
-  });
-  warn_of(model.coating, [](std::size_t place) { return message_text("coating_layers[", place, "]: "); });
+  warn_of_materials(model, warnings);
   if (model.spacing && !on_grid(solution.method))
     warnings.push_back(message_text("spacing = ", *model.spacing, " m is not used by method ", name_of(solution.method),
                                     ", which has no grid"));
@@ -181,7 +187,8 @@ std::string model_of(const ContactModel& model, const RollingSolution& solution)
   if (model.loaded)
     text += "; the pressure is given: no contact is looked for, and what a body on it loses is no part of R_r";
   else if (model.friction_coefficient == 0)
-    text += "; no friction (μ = 0): rotation and shear left out";
+    text += std::string("; no friction (μ = 0): rotation and shear left out") +
+            (model.coating.empty() ? "" : ", and what a coating resists is a torque at the axle, whatever the drive");
   const CreepSpectrum& creep = model.top().creep;
   const bool elastic =
       std::all_of(creep.terms.begin(), creep.terms.end(), [](const auto& term) { return term.compliance == 0; });

@@ -224,7 +224,10 @@ std::string SuperpositionTest::in_words() const {
       "at the same |G*| the loss angles of neighbouring temperatures differ by ", rms, " degrees (rms) of ", mean_angle,
       between > 0.5 * rms ? message_text<2>(", where interpolation between rows misses ", between) : "",
       holds() ? ": time-temperature superposition holds"
-              : ": no shift of frequencies joins them, superposition does not hold");
+              : ": no shift of frequencies joins them, superposition does not hold",
+      untested == 0 ? ""
+                    : message_text("; of ", pairs, " pairs of neighbours ", untested, untested == 1 ? " has" : " have",
+                                   " no |G*| in common and ", untested == 1 ? "is" : "are", " not tested"));
 }
 
 std::vector<MeasuredModulus> times_vertical_shifts(std::vector<MeasuredModulus> data, const TemperatureShift& shift) {
@@ -256,8 +259,9 @@ SuperpositionTest superposition_test(const std::vector<MeasuredModulus>& data,
       missed += std::pow(0.25 * (curve.y[k] - neighbours(curve.x[k])), 2);
     }
   double squares = 0, sum = 0;
-  int count = 0;
-  for (std::size_t i = 0; i + 1 < curves.size(); ++i)
+  int count = 0, pairs = 0, untested = 0;
+  for (std::size_t i = 0; i + 1 < curves.size(); ++i) {
+    const int before = count;
     for (const auto& [from, to] : {std::pair(i, i + 1), std::pair(i + 1, i)})
       for (std::size_t k = 0; k < curves[from].x.size(); ++k)
         if (const double at = curves[from].x[k]; curves[to].contains(at) && curves[to].x.size() > 1) {
@@ -265,8 +269,11 @@ SuperpositionTest superposition_test(const std::vector<MeasuredModulus>& data,
           sum += curves[from].y[k];
           ++count;
         }
-  if (count == 0) return {not_known, not_known, not_known};
-  return {std::sqrt(squares / count), sum / count, left_out > 0 ? std::sqrt(missed / left_out) : 0};
+    ++pairs;
+    if (count == before) ++untested;
+  }
+  if (count == 0) return {not_known, not_known, not_known, pairs, untested};
+  return {std::sqrt(squares / count), sum / count, left_out > 0 ? std::sqrt(missed / left_out) : 0, pairs, untested};
 }
 
 std::string without_overlap(const std::vector<MeasuredModulus>& data, const TemperatureShift& shift) {

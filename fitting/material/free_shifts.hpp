@@ -44,6 +44,8 @@ struct SuperpositionTest {
   double rms = 0;         ///< of the differences [deg]; NaN: nowhere the same |G*|
   double mean_angle = 0;  ///< of those angles [deg]
   double between = 0;     ///< about what interpolation between rows misses an angle by (rms) [deg]
+  int pairs = 0;          ///< of neighbouring temperatures
+  int untested = 0;       ///< of these, without a common |G*|
   bool holds() const;
   std::string in_words() const;
 };

@@ -306,7 +306,7 @@ void add_fit(Command& program, Session& session) {
       ->or_usual_database();
   command->add_option("--out DIR", arguments.out,
                       "draw data, residuals, profiles and the worst pair's ellipse into DIR");
-  command->add_option("--scene FILE", arguments.scene, "write what was fitted as a scene file, with all digits");
+  command->add_option("--scene FILE", arguments.scene, "write what was fitted as a scene file, with all digits: that of the first measurement; of a material without a scene its keys alone");
   command->add_flag("--design", arguments.design,
                     "tell what to measure next, within the ranges under design in the file");
   command

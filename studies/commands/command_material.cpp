@@ -2,10 +2,12 @@
 #include <numbers>
 #include <optional>
 #include <ostream>
+#include <stdexcept>
 
 #include "core/material/material_functions.hpp"
 #include "core/model/scene_rules.hpp"
 #include "core/numerics/solution_limits.hpp"
+#include "core/scene/scene_input.hpp"
 #include "studies/figures/material_chart.hpp"
 #include "studies/figures/material_export.hpp"
 #include "studies/program/commands.hpp"
@@ -13,13 +15,14 @@
 #include "studies/scene_io/scene_file.hpp"
 #include "studies/text/readable_number.hpp"
 #include "studies/text/table_output.hpp"
+#include "studies/text/words.hpp"
 
 namespace rollres {
 
 namespace {
 
 struct MaterialArguments {
-  std::string scene, chart, format = "table";
+  std::string scene, layer, chart, format = "table";
   std::vector<std::string> overrides;
   int per_decade = 1;
 };
@@ -34,15 +37,35 @@ Table moduli_table(const CreepSpectrum& creep, int per_decade) {
   return table;
 }
 
-/// What was understood of the tables that a scene names, one line each.
-std::vector<std::string> tables_in_words(const MaterialArguments& arguments) {
+/// The layer that was asked for; else the first that loses something, the one in contact before those on the body.
+std::string chosen_layer(RollingScene& scene, const MaterialArguments& arguments) {
+  std::vector<std::string> keys = layer_keys(scene);
+  if (!arguments.layer.empty()) {
+    if (std::find(keys.begin(), keys.end(), arguments.layer) == keys.end())
+      throw std::invalid_argument("--layer " + arguments.layer + ": the scene has " + joined(keys, ", "));
+    return arguments.layer;
+  }
+  std::stable_partition(keys.begin(), keys.end(), [](const std::string& key) { return !key.starts_with("lower_"); });
+  const auto loses = [&](const std::string& key) { return !creep_spectrum(layer_of(scene, key)).terms.empty(); };
+  const auto found = std::find_if(keys.begin(), keys.end(), loses);
+  return found == keys.end() ? keys.front() : *found;
+}
+
+/// What was understood of the tables that a layer of the scene file names, one line each.
+std::vector<std::string> tables_in_words(const MaterialArguments& arguments, const std::string& layer) {
   std::vector<std::string> words;
-  const Json object = read_object(arguments.scene);
+  Json object = read_object(arguments.scene);
+  const std::optional<ElementKey> further = element_key(layer);
+  if (further) {
+    Json layers = object.value(std::string(further->list), Json::array());
+    object =
+        further->place < layers.size() && layers[further->place].is_object() ? layers[further->place] : Json::object();
+  }
   for (const std::string_view key : table_keys) {
     std::filesystem::path file;
     if (const auto named = object.find(std::string(key)); named != object.end() && named->is_string())
       file = std::filesystem::path(arguments.scene).parent_path() / named->get<std::string>();
-    const std::string set = std::string(key) + '=';
+    const std::string set = (further ? layer + '.' : std::string()) + std::string(key) + '=';
     for (const std::string& override : arguments.overrides)
       if (override.starts_with(set)) file = override.substr(set.size());
     if (!file.empty()) words.push_back(read_measured_table(file).in_words());
@@ -50,10 +73,14 @@ std::vector<std::string> tables_in_words(const MaterialArguments& arguments) {
   return words;
 }
 
-void print_words(std::ostream& out, const MaterialArguments& arguments, const RollingScene& layer,
-                 const CreepSpectrum& creep, const std::optional<ContactFrequencies>& contact) {
+/// @param name of the layer   @param others its neighbours
+void print_words(std::ostream& out, const MaterialArguments& arguments, const std::string& name,
+                 std::vector<std::string> others, const MaterialInputs& layer, const CreepSpectrum& creep,
+                 const std::optional<ContactFrequencies>& contact) {
+  std::erase(others, name);
+  if (!others.empty()) out << "layer        " << name << " (--layer shows " << joined(others, ", ") << ")\n";
   out << "material     " << name_of(layer.material) << '\n';
-  for (const std::string& table : tables_in_words(arguments)) out << "table        " << table << '\n';
+  for (const std::string& table : tables_in_words(arguments, name)) out << "table        " << table << '\n';
   if (const std::string route = material_route(layer); !route.empty()) out << "route        " << route << '\n';
   for (const std::string& warning : material_warnings(layer)) out << "warning      " << warning << '\n';
   out << "at rest      G = " << readable(1 / creep.at_rest(), "Pa") << '\n'
@@ -85,29 +112,32 @@ std::vector<std::filesystem::path> draw_material(const MaterialInputs& layer, co
 }
 
 void run_material(const MaterialArguments& arguments, Session& session) {
-  const RollingScene scene = read_scene(arguments.scene, arguments.overrides);
+  RollingScene scene = read_scene(arguments.scene, arguments.overrides);
   const SolutionLimits limits = limits_of(scene);
   std::optional<CreepSpectrum> found;
+  std::string name;
   try {
-    found = creep_spectrum(scene);
+    name = chosen_layer(scene, arguments);
+    found = creep_spectrum(layer_of(scene, name));
   } catch (const BeyondLimits& limit) {
     session.err << arguments.scene << ": " << limit.what() << '\n';
     session.status = ExitStatus::no_answer;
     return;
   }
   const CreepSpectrum& creep = *found;
+  const MaterialInputs& layer = layer_of(scene, name);
   const std::optional<ContactFrequencies> contact = contact_frequencies(scene);
   const bool exports = std::count(material_export_formats.begin(), material_export_formats.end(), arguments.format) > 0;
   if (arguments.format == "table") {
-    print_words(session.out, arguments, scene, creep, contact);
+    print_words(session.out, arguments, name, layer_keys(scene), layer, creep, contact);
     session.out << '\n';
   }
   if (exports)
-    session.out << exported_material(scene, arguments.format);
+    session.out << exported_material(scene, name, arguments.format);
   else
     write_table(session.out, moduli_table(creep, arguments.per_decade), arguments.format);
   if (arguments.chart.empty()) return;
-  for (const auto& file : draw_material(scene, arguments.chart, contact))
+  for (const auto& file : draw_material(layer, arguments.chart, contact))
     session.err << "drawn " << file.string() << '\n';
 }
 
@@ -115,8 +145,11 @@ void run_material(const MaterialArguments& arguments, Session& session) {
 
 void add_material(Command& program, Session& session) {
   const auto [command, arguments] = program.add<MaterialArguments>(
-      "material", "Show a scene's material: moduli, peaks of loss, creep and relaxation", session, run_material);
+      "material", "Show the material of a scene's layer: moduli, peaks of loss, creep and relaxation", session,
+      run_material);
   command->add_option("scene SCENE", arguments.scene, "scene file (JSON)")->required();
+  command->add_option("--layer LAYER", arguments.layer,
+                      "layer, lower_layers[0] or coating_layers[0] and so on; default: the first that loses something");
   command->add_option("--set KEY=VALUE", arguments.overrides, "replace an input, in SI or with a unit; may be repeated")
       ->one_value_each();
   command->add_option(

@@ -6,6 +6,7 @@
 #include <sstream>
 
 #include "core/material/prony_series.hpp"
+#include "core/scene/scene_input.hpp"
 #include "studies/scene_io/solution_json.hpp"
 
 namespace rollres {
@@ -50,9 +51,8 @@ PronySeries series_of(const MaterialInputs& layer) {
   return ordered(series);
 }
 
-ExportedSeries exported_series(const RollingScene& scene) {
+ExportedSeries exported_series(MaterialInputs layer) {
   constexpr double nearly_incompressible = 0.4995;
-  MaterialInputs layer = scene;
   ExportedSeries exported;
   exported.shift = written_shift(layer);
   std::ostringstream remark;
@@ -118,34 +118,37 @@ void write_series(std::ostream& out, const ExportedSeries& exported) {
   for (const PronySeries::Term& term : exported.series.terms) out << term.time << ',' << term.modulus << '\n';
 }
 
-/// The scene with the series at its reference temperature, or at its own where it has no law.
-std::string scene_of_series(RollingScene scene) {
-  MaterialInputs layer = scene;
-  layer.temperature.reset();
-  const PronySeries series = series_of(layer);
-  scene.material = MaterialModel::prony;
-  scene.static_young_modulus.reset();
-  scene.static_shear_modulus = series.static_modulus;
-  scene.stiffening = scene.creep_time = 0;
-  scene.fractional_order = MaterialInputs{}.fractional_order;
-  for (std::vector<double>* list : {&scene.frequencies, &scene.storage_moduli, &scene.loss_moduli,
-                                    &scene.relaxation_times, &scene.relaxation_moduli})
+/// The series at its reference temperature, or at its own where it has no law, in place of a layer's material.
+void take_series(MaterialInputs& layer) {
+  MaterialInputs at_reference = layer;
+  at_reference.temperature.reset();
+  const PronySeries series = series_of(at_reference);
+  layer.material = MaterialModel::prony;
+  layer.static_young_modulus.reset();
+  layer.static_shear_modulus = series.static_modulus;
+  layer.stiffening = layer.creep_time = 0;
+  layer.fractional_order = MaterialInputs{}.fractional_order;
+  for (std::vector<double>* list : {&layer.frequencies, &layer.storage_moduli, &layer.loss_moduli,
+                                    &layer.relaxation_times, &layer.relaxation_moduli})
     list->clear();
   for (const PronySeries::Term& term : series.terms) {
-    scene.relaxation_times.push_back(term.time);
-    scene.relaxation_moduli.push_back(term.modulus);
+    layer.relaxation_times.push_back(term.time);
+    layer.relaxation_moduli.push_back(term.modulus);
   }
-  scene.listed_moduli = ListedModuli::shear;
-  return scene_json(scene);
+  layer.listed_moduli = ListedModuli::shear;
 }
 
 }  // namespace
 
-std::string exported_material(const RollingScene& scene, std::string_view format) {
-  if (format == "scene") return scene_of_series(scene) + '\n';
+std::string exported_material(RollingScene scene, std::string_view layer, std::string_view format) {
+  MaterialInputs& material = layer_of(scene, layer);
+  if (format == "scene") {
+    take_series(material);
+    return scene_json(scene) + '\n';
+  }
   std::ostringstream out;
   out.precision(15);
-  const ExportedSeries exported = exported_series(scene);
+  const ExportedSeries exported = exported_series(material);
   if (format == "abaqus") write_abaqus(out, exported);
   if (format == "ansys") write_ansys(out, exported);
   if (format == "comsol") write_comsol(out, exported);

@@ -1,6 +1,6 @@
 #pragma once
 
-/// A scene's material as a Prony series in shear, in the input of other programs.
+/// The material of a scene's layer as a Prony series in shear, in the input of other programs.
 ///
 /// The series is the material's at its reference temperature, with WLF's constants (VFT's law is WLF's with others); by
 /// any other law, and with b_T, it is that at the scene's temperature, and a comment says so. G and K relax alike, as
@@ -31,7 +31,7 @@ namespace rollres {
 inline constexpr std::array<std::string_view, 5> material_export_formats{"abaqus", "ansys", "comsol", "prony_csv",
                                                                          "scene"};
 
-/// @param format one of those
-std::string exported_material(const RollingScene& scene, std::string_view format);
+/// @param layer  as layer_of takes it   @param format one of those
+std::string exported_material(RollingScene scene, std::string_view layer, std::string_view format);
 
 }  // namespace rollres

@@ -63,8 +63,9 @@ std::string file_name(const std::vector<InteriorSection>& sections, std::size_t 
 
 std::string interior_csv(const std::vector<InteriorSection>& sections) {
   if (sections.empty()) return {};
-  const bool faces = sections.front().is_face();
-  std::string text = faces ? "x [m],y [m],z [m],layer" : "x [m],z [m],layer";
+  // Of an upright section y tells something where it is not the plane of symmetry.
+  const bool with_y = sections.front().is_face() || sections.front().y.front() != 0;
+  std::string text = with_y ? "x [m],y [m],z [m],layer" : "x [m],z [m],layer";
   for (const Field& field : fields_of(sections.front().fields)) text += ',' + heading(field);
   text += '\n';
   for (const InteriorSection& section : sections) {
@@ -72,7 +73,7 @@ std::string interior_csv(const std::vector<InteriorSection>& sections) {
     for (std::size_t row = 0; row < section.z.size(); ++row)
       for (std::size_t across = 0; across < section.y.size(); ++across)
         for (std::size_t column = 0; column < section.x.size(); ++column) {
-          text += number(section.x[column]) + ',' + (faces ? number(section.y[across]) + ',' : std::string()) +
+          text += number(section.x[column]) + ',' + (with_y ? number(section.y[across]) + ',' : std::string()) +
                   number(section.z[row]) + ',' + layer_name(section.on_body, section.layer[row]);
           const auto place = static_cast<Eigen::Index>(row * section.y.size() + across);
           for (const Field& field : fields)

@@ -44,11 +44,6 @@ struct FitAxis {
 
 bool has_curves(const FitRecord& fit) { return !fit.x_name.empty(); }
 
-/// Only without stated deviations the residuals do not scatter by 1.
-double scatter_of(const FitRecord& fit) {
-  return fit.deviations_known || !(fit.reduced_chi_squared > 0) ? 1 : std::sqrt(fit.reduced_chi_squared);
-}
-
 bool outlies(const FitRecord& fit, const FitDataRecord& one) {
   return std::abs(one.residual) > far_off * scatter_of(fit);
 }

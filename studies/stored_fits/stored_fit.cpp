@@ -183,6 +183,10 @@ Table fit_parameter_table(const FitRecord& fit) {
   return table;
 }
 
+double scatter_of(const FitRecord& fit) {
+  return fit.deviations_known || !(fit.reduced_chi_squared > 0) ? 1 : std::sqrt(fit.reduced_chi_squared);
+}
+
 std::vector<std::pair<std::string, std::string>> fit_statistics(const FitRecord& fit) {
   const bool noise = std::any_of(fit.parameters.begin(), fit.parameters.end(), [](const auto& p) { return p.noise; });
   std::vector<std::pair<std::string, std::string>> lines{
@@ -200,8 +204,10 @@ std::vector<std::pair<std::string, std::string>> fit_statistics(const FitRecord&
     return std::abs(a.residual) < std::abs(b.residual);
   });
   if (worst != fit.data.end())
-    lines.emplace_back("largest residual", short_number(worst->residual, 3) + " deviations" +
-                                               (worst->place.empty() ? "" : " at " + worst->place));
+    lines.emplace_back("largest residual",
+                       short_number(worst->residual / scatter_of(fit), 3) +
+                           (fit.deviations_known ? " deviations" : " deviations, as the residuals scatter") +
+                           (worst->place.empty() ? "" : " at " + worst->place));
   lines.insert(lines.end(),
                {{"runs test", "p = " + four_digits(fit.runs_p_value) + "; in the order of the predicted values " +
                                   four_digits(fit.trend_p_value)},

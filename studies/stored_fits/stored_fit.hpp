@@ -20,6 +20,9 @@ bool is_logarithmic(const FitParameterRecord& one);
 /// The parameters as people read them: value, errors, 95 % intervals, start, and what to mind.
 Table fit_parameter_table(const FitRecord& fit);
 
+/// What the residuals of a good fit scatter by: 1, and where no deviations were given what they were found to.
+double scatter_of(const FitRecord& fit);
+
 /// The tests of a fit, its descents and its cost: pairs of a name and of what is known.
 std::vector<std::pair<std::string, std::string>> fit_statistics(const FitRecord& fit);
 

@@ -126,7 +126,7 @@ TEST_CASE("plan tells the model of a point, and solves nothing", "[studies][comm
   const ProgramRun run = run_rollres({"plan", study, "--explain", "--point", "2"}, never);
   CHECK(run.status == 0);
   CHECK_THAT(run.out, Contains("V = 2 m/s, load 1e+04 N/m, "));
-  CHECK_THAT(run.out, Contains("  method   spectral: continuous edges of contact, no grid\n"));
+  CHECK_THAT(run.out, Contains("  method   spectral: continuous edges of contact, and a grid where they give no answer\n"));
   CHECK_THAT(run_rollres({"plan", study, "--explain"}, never).out, Contains("V = 1 m/s, load 1e+04 N/m, "));
   CHECK(Json::parse(run_rollres({"plan", study, "--explain", "--json"}, never).out)["method"] == "spectral");
 

@@ -329,6 +329,28 @@ TEST_CASE("a fit finds a coating's modulus from tests on coatings of several thi
   CHECK(parameter["value"].get<double>() == Approx(5e6).epsilon(1e-4));
 }
 
+TEST_CASE("a material is shown of the layer that loses something, and of the one asked for",
+          "[studies][material][layers]") {
+  const Workshop shop;
+  const std::string scene = shop.write(coated_scene());
+  const auto material = [&](std::vector<std::string> words) {
+    words.insert(words.begin(), {"material", scene});
+    return shop.run(words);
+  };
+  const ProgramRun tyre = material({});
+  CHECK_THAT(tyre.out, Contains("layer        coating_layers[0] (--layer shows layer)\nmaterial     zener\n"));
+  CHECK_THAT(tyre.out, Contains("at once      G = 4 MPa\n"));
+  const ProgramRun floor = material({"--layer", "layer"});
+  CHECK_THAT(floor.out, Contains("layer        layer (--layer shows coating_layers[0])\nmaterial     elastic\n"));
+  CHECK_THAT(floor.out, Contains("at rest      G = 10 GPa\n"));
+  CHECK_THAT(material({"--layer", "coating_layers[1]"}).err,
+             Contains("--layer coating_layers[1]: the scene has layer, coating_layers[0]"));
+  const Json handed = Json::parse(material({"--format", "scene"}).out);
+  CHECK(handed["material"] == "elastic");
+  CHECK(handed["coating_layers"][0]["material"] == "prony");
+  CHECK(handed["coating_layers"][0]["relaxation_moduli"][0].get<double>() == Approx(2e6));
+}
+
 TEST_CASE("the list of quantities tells how further layers' inputs are named", "[studies][layers]") {
   const Workshop shop;
   CHECK_THAT(shop.run({"quantities"}).out, Contains("LIST[N].KEY"));

@@ -135,8 +135,8 @@ TEST_CASE("an exported series with its shift is that of the scene, read by the r
   RollingScene at_reference = scene;
   at_reference.temperature = 293.15;
   for (const ReadBack& read :
-       {read_abaqus(exported_material(scene, "abaqus")), read_ansys(exported_material(scene, "ansys")),
-        read_rows(exported_material(scene, "comsol"), 1, 2), read_rows(exported_material(scene, "prony_csv"), 1, 0)}) {
+       {read_abaqus(exported_material(scene, "layer", "abaqus")), read_ansys(exported_material(scene, "layer", "ansys")),
+        read_rows(exported_material(scene, "layer", "comsol"), 1, 2), read_rows(exported_material(scene, "layer", "prony_csv"), 1, 0)}) {
     REQUIRE(read.series.terms.size() == 3);
     check_same(at_reference, read.series);
     CHECK(read.shift == std::vector<double>{293.15, 9, 110});
@@ -149,14 +149,14 @@ TEST_CASE("VFT is exported as WLF, other shifts as the series at the temperature
   scene.wlf_c2.reset();
   scene.vft_b = 2000;
   scene.vft_temperature = 193.15;
-  const ReadBack vft = read_abaqus(exported_material(scene, "abaqus"));
+  const ReadBack vft = read_abaqus(exported_material(scene, "layer", "abaqus"));
   REQUIRE(vft.shift.size() == 3);
   CHECK(vft.shift[1] == Approx(2000 / (100 * std::log(10.0))).epsilon(1e-12));
   CHECK(vft.shift[2] == Approx(100).epsilon(1e-12));
   scene.vft_b.reset();
   scene.vft_temperature.reset();
   scene.activation_energy = 1e5;
-  const std::string text = exported_material(scene, "comsol");
+  const std::string text = exported_material(scene, "layer", "comsol");
   CHECK_THAT(text, Catch::Contains("at 273.15 K"));
   CHECK(read_rows(text, 1, 2).shift.empty());
   check_same(scene, read_rows(text, 1, 2).series);
@@ -171,7 +171,7 @@ TEST_CASE("a fractional solid is exported as a scene of a Prony series with the 
   scene.temperature = 283.15;
   scene.activation_energy = 9e4;
   const TemporaryDirectory folder;
-  const RollingScene read = read_scene(folder.write("scene.json", exported_material(scene, "scene")));
+  const RollingScene read = read_scene(folder.write("scene.json", exported_material(scene, "layer", "scene")));
   CHECK(read.material == MaterialModel::prony);
   CHECK(read.activation_energy == scene.activation_energy);
   const CreepSpectrum creep = creep_spectrum(scene), again = creep_spectrum(read);
