@@ -90,7 +90,8 @@ class NewtonIteration {
     if (edge_follows() && maps_.largest < options_.edge_follows) {
       follow_edge(contact_);
       maps_ = natural_maps(problem_, influence_, x_, contact_);
-      edge_rests_ = maps_.largest < options_.edge_rests;
+      // Where nodes join and leave as it moves, it is left where it is: it hardly moves R_r any more.
+      edge_rests_ = maps_.largest < options_.edge_rests || stays_ >= options_.idle_steps;
     }
     ++stays_;
     if (maps_.largest < 0.5 * best_residual_) stays_ = 0;

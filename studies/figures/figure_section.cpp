@@ -15,6 +15,7 @@ namespace {
 /// A field on the section x-z, z rising, in SI; at a bond z stands twice, a hair apart.
 struct SectionField {
   std::vector<double> x, z, values, bonds;
+  double y = 0;
 };
 
 SectionField section_field(const FigureSource& source, std::string_view name) {
@@ -23,6 +24,7 @@ SectionField section_field(const FigureSource& source, std::string_view name) {
   for (const InteriorSection& part : interior_sections(solved, source.solution.fields)) {
     if (part.is_face()) continue;
     section.x = part.x;
+    section.y = part.y.front();
     const Eigen::ArrayXXd field = name == "loss_density" ? part.fields.loss_density : largest_shear_strain(part.fields);
     std::vector<double> z = part.z, values(field.data(), field.data() + field.size());
     for (std::size_t row = 1; row < part.layer.size(); ++row)
@@ -96,7 +98,7 @@ PictureText section_map(const Figure& figure, const FigureSource& source, const 
   constexpr double left = 84, right = 424, lower = 88, above = 10, lowest = 190;
   const double to_scale = (right - left) * (z.highest - z.lowest) / (x.highest - x.lowest);
   const double height = std::max(to_scale, lowest);
-  std::string subtitle = dimension_of(source.scene.indenter) == 3 ? "at y = 0" : "";
+  std::string subtitle = dimension_of(source.scene.indenter) == 3 ? "at y = " + readable(section.y, "m") : "";
   if (height > to_scale)
     subtitle += (subtitle.empty() ? "" : ", ") + ("heights stretched " + short_number(height / to_scale, 2) + " times");
   return picture.finished(std::string(figure.title), {.height = std::round(above + height + lower),
