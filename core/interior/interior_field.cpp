@@ -23,10 +23,7 @@ using Eigen::Index;
 namespace {
 
 constexpr double vanished = DepthResponse::vanished;
-constexpr int nodes_per_panel = 24;
 constexpr double phase_per_panel = 32;
-/// Panels of long waves over their distance from 0: poles of memories on the imaginary axis cost 2^-48 of them.
-constexpr double growth = 7;
 
 struct PlaneStrain {
   complex x, z, xz;
@@ -45,12 +42,6 @@ double distortion(double x, double z, double xz, double nu) {
 
 }  // namespace
 
-double InteriorField::highest_wavenumber(double half_length, Detail detail) const {
-  if (detail == Detail::rough) return 20 / half_length;
-  const double along = detail == Detail::surface ? 300 : 80;
-  return std::max(along / half_length, vanished / medium_.front().thickness);
-}
-
 InteriorField::InteriorField(LayeredMedium medium, double speed, double flow, const SurfaceFields& fields, double reach,
                              Detail detail)
     : medium_(std::move(medium)),
@@ -66,34 +57,13 @@ InteriorField::InteriorField(LayeredMedium medium, double speed, double flow, co
       for (const CreepSpectrum::Term& term : layer.material.terms) longest = std::max(longest, speed * term.time);
   const double ends = std::max(std::abs(tractions_.from()), std::abs(tractions_.to()));
   const double lowest = (half_space_ ? 1e-6 : 1e-4) / longest, widest = phase_per_panel / (reach + ends);
-  add_waves(lowest, widest);
+  if (comes_round(speed))
+    add_harmonics();
+  else
+    add_waves(lowest, widest);
   short_compliance_ = medium_.front().material(highest_ * speed).real();
   if (!fields.shear_y.empty())
     axial_.emplace(medium_, speed_, flow_, fields, interior_waves(lowest, 0.5 * widest, highest_));
-}
-
-void InteriorField::add_waves(double lowest, double widest) {
-  const QuadratureRule& rule = gauss_rule(nodes_per_panel);
-  require_memory(highest_ / widest * nodes_per_panel * sizeof(Wave), "waves in the layers");
-  const auto put = [&](double k, double weight, const SurfaceTractions::Transforms& tractions) {
-    waves_.push_back({k, weight, tractions, moduli_at(medium_, -k * speed_)});
-  };
-  double from = 0, to = lowest;
-  for (; to - from < widest && to < highest_; from = to, to += std::min(growth * to, widest))
-    for (std::size_t i = 0; i < rule.nodes.size(); ++i) {
-      const double k = from + (to - from) * rule.nodes[i];
-      put(k, (to - from) * rule.weights[i], tractions_.transforms(k));
-    }
-  // The others are of one width.
-  const int panels = std::max(1, static_cast<int>(std::ceil((highest_ - from) / widest)));
-  const double width = (highest_ - from) / panels;
-  std::vector<double> firsts;
-  for (const double node : rule.nodes) firsts.push_back(from + width * node);
-  const std::vector<std::vector<SurfaceTractions::Transforms>> tractions = tractions_.transforms(firsts, width, panels);
-  for (std::size_t i = 0; i < firsts.size(); ++i)
-    for (int panel = 0; panel < panels; ++panel)
-      put(firsts[i] + width * panel, width * rule.weights[i], tractions[i][static_cast<std::size_t>(panel)]);
-  std::sort(waves_.begin(), waves_.end(), [](const Wave& a, const Wave& b) { return a.wavenumber < b.wavenumber; });
 }
 
 double depth_of(const LayeredMedium& medium, const InteriorLine& line) {

@@ -16,6 +16,8 @@
 /// of creep J = J_inf + sum C_m/(1 + i omega tau_m) as springs and dashpots, with y_m the memory mean of the stress
 /// over T_m = V tau_m and E(sigma) = [(1 - nu)(sigma_x^2 + sigma_z^2) - 2 nu sigma_x sigma_z]/2 + tau_xz^2, is
 ///     sum_m C_m/tau_m E(sigma - y_m).
+/// Around a thick ring, or one that has not recovered when it comes round, waves are whole harmonics, k = n/R, and the
+/// integrals sums over them.
 /// Shear along the axle of a skewed cylinder adds its own part to all of these (axial_field.hpp).
 
 #include <Eigen/Core>
@@ -99,6 +101,10 @@ class InteriorField {
 
   double highest_wavenumber(double half_length, Detail detail) const;
   void add_waves(double lowest, double widest);
+  /// Whether what is half a turn of a ring away counts, or memories of the last turn.
+  bool comes_round(double speed) const;
+  /// The whole harmonics of a ring, in place of the integral over waves.
+  void add_harmonics();
 
   LayeredMedium medium_;
   double speed_, flow_, highest_;  // flow_ without its sign

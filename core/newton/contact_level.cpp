@@ -8,7 +8,20 @@
 
 namespace rollres {
 
-ContactLevel make_level(const ContactModel& model, const SurfaceGrid& grid) {
+namespace {
+
+/// With waves as short as a cell: without those of two cells a train's nodes do not tell neighbours apart.
+ContactModel with_waves_of_cells(ContactModel model, const SurfaceGrid& grid) {
+  if (model.period)
+    model.series_terms =
+        std::max(model.series_terms, checked_count(std::ceil(*model.period / grid.spacing_x), "waves of a period"));
+  return model;
+}
+
+}  // namespace
+
+ContactLevel make_level(const ContactModel& asked, const SurfaceGrid& grid) {
+  const ContactModel model = with_waves_of_cells(asked, grid);
   ContactLevel level;
   level.problem = std::make_unique<ContactProblem>(model, grid);
   level.table = std::make_unique<InfluenceTable>(influence_table(model, mirrored(grid)));

@@ -153,13 +153,6 @@ RollingSolution answer_from(const NestedOutcome& nested, const ContactModel& mod
   }
   solution.status = nested.status;
   if (nested.status != Status::converged) solution.reason = nested.reason;
-  if (nested.status == Status::not_converged && model.period && nested.finest.problem) {
-    // Without waves as short as two cells the nodes do not tell neighbours apart.
-    const double shortest = *model.period / model.series_terms, spacing = nested.finest.problem->grid.spacing_x;
-    if (shortest > 2 * spacing)
-      solution.reason += message_text("; series_terms = ", model.series_terms, " keeps waves down to ", shortest,
-                                      " m, longer than two cells of ", spacing, " m");
-  }
   solution.friction_needed = nested.friction_needed;
   solution.friction_borne = nested.friction_borne;
   solution.iterations = nested.finest.outcome.iterations;

@@ -157,12 +157,13 @@ std::vector<std::string> warnings_for(const ContactModel& model, const RollingSo
   if (model.spacing && !on_grid(solution.method))
     warnings.push_back(message_text("spacing = ", *model.spacing, " m is not used by method ", name_of(solution.method),
                                     ", which has no grid"));
+  double left = 0;  // of the slowest memory, when the next body of a train comes
   if (model.period)
-    for (const CreepSpectrum::Term& term : model.top().creep.terms) {
-      const double left = std::exp(-*model.period / (model.speed * term.time));
-      if (left > 1e-4)
-        warnings.push_back(message_text("the layer has not recovered after one period: e^(-L/(Vτ)) = ", left));
-    }
+    for (const CreepSpectrum::Term& term : model.top().creep.terms)
+      left = std::max(left, std::exp(-*model.period / (model.speed * term.time)));
+  if (left > 1e-4)
+    warnings.push_back(
+        message_text("the layer has not recovered after one period: e^(-L/(Vτ)) = ", left, " of its slowest memory"));
   return warnings;
 }
 

@@ -6,7 +6,7 @@
 #include "core/reference/reference_inside.hpp"
 #include "tests/catch.hpp"
 
-// Covers surface_tractions, depth_response and reference_inside, too.
+// Covers surface_tractions, depth_response, waves_inside and reference_inside, too.
 
 using namespace rollres;
 
