@@ -183,16 +183,9 @@ std::string failed_scene_name(const Trial& trial) {
 
 StabilityReport run_stability(const StabilityPlan& plan, const Evaluate& evaluate) {
   const auto begin = std::chrono::steady_clock::now();
-  std::vector<Trial> trials = planned(plan);
-  std::vector<char> ended(trials.size(), 0);
-  ForkedWork work = plan.work(trials.size());
-  work.work = [&](std::size_t piece) {
-    Packer pack;
-    visit_answer(judge(evaluate, trials[piece].scene), pack);
-    return pack.bytes;
-  };
-  work.done = [&](const PieceEnd& end) {
-    Trial& trial = trials[end.piece];
+  const std::vector<Trial> trials = planned(plan);
+  const auto tell = [&](const Trial& trial, Packer& pack) { visit_answer(judge(evaluate, trial.scene), pack); };
+  const auto take = [&](Trial& trial, const PieceEnd& end) {
     if (end.out_of_time) {
       trial.outcome = Outcome::not_converged;
       trial.seconds = end.seconds;
@@ -202,15 +195,10 @@ StabilityReport run_stability(const StabilityPlan& plan, const Evaluate& evaluat
     } else {
       visit_answer(trial, Unpacker{end.answer});
     }
-    ended[end.piece] = 1;
     if (plan.on_trial) plan.on_trial(trial);
     return !is_failure(trial.outcome);
   };
-  run_forked(work);
-
-  StabilityReport report;
-  for (std::size_t i = 0; i < trials.size(); ++i)
-    if (ended[i]) report.trials.push_back(std::move(trials[i]));
+  StabilityReport report{.trials = try_forked(plan.work(trials.size()), trials, tell, take)};
   std::stable_sort(report.trials.begin(), report.trials.end(), [](const Trial& a, const Trial& b) {
     return a.scene.indenter != b.scene.indenter ? a.scene.indenter < b.scene.indenter : a.number < b.number;
   });
