@@ -3,10 +3,10 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
-#include <numeric>
 #include <stdexcept>
 
 #include "core/material/material_functions.hpp"
+#include "core/numerics/sorted_places.hpp"
 #include "studies/scene_io/doubtful_number.hpp"
 #include "studies/scene_io/scene_inputs.hpp"
 
@@ -179,9 +179,7 @@ bool is_over_time(const MeasuredTable& table) {
 void refuse_against_time(const MeasuredTable& table, const MeasuredColumn& column, const std::vector<double>& times,
                          const std::vector<double>& values, int sign) {
   constexpr double noise = 0.05;
-  std::vector<std::size_t> order(times.size());
-  std::iota(order.begin(), order.end(), 0U);
-  std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return times[a] < times[b]; });
+  const std::vector<std::size_t> order = sorted_places(times.size(), [&](std::size_t row) { return times[row]; });
   std::size_t extreme = order.front();
   for (const std::size_t row : order) {
     if (sign * std::log(values[row] / values[extreme]) > noise)

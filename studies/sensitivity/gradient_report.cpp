@@ -1,11 +1,10 @@
 #include "studies/sensitivity/gradient_report.hpp"
 
-#include <algorithm>
 #include <chrono>
 #include <cmath>
-#include <numeric>
 #include <ostream>
 
+#include "core/numerics/sorted_places.hpp"
 #include "core/scene/scene_input.hpp"
 #include "studies/run/progress.hpp"
 #include "studies/text/readable_number.hpp"
@@ -48,13 +47,10 @@ GradientReport gradient_report(Objective objective, const GradientOptions& optio
 }
 
 void sort_by_elasticity(GradientReport& report) {
-  std::vector<std::size_t> order(report.size());
-  std::iota(order.begin(), order.end(), std::size_t{0});
-  const auto size = [&](std::size_t i) {
+  const std::vector<std::size_t> order = sorted_places(report.size(), [&](std::size_t i) {
     const double elasticity = std::abs(report.gradient.inputs[i].elasticity);
-    return std::isnan(elasticity) ? -1 : elasticity;
-  };
-  std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return size(a) > size(b); });
+    return std::isnan(elasticity) ? 1 : -elasticity;
+  });
   const auto sort = [&](auto& list) {
     auto sorted = list;
     for (std::size_t i = 0; i < order.size(); ++i) sorted[i] = list[order[i]];
