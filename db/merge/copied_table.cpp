@@ -27,10 +27,10 @@ void bind_value(SQLite::Statement& to, int index, const SQLite::Column& value) {
 
 /// The INTEGER PRIMARY KEY that names rows by number; empty if there is none.
 std::string number_column(SQLite::Database& connection, const std::string& table) {
-  SQLite::Statement row(connection,
-                        "SELECT name, type, count(*) OVER (), wr FROM pragma_table_info(?1), (SELECT wr FROM "
-                        "pragma_table_list(?1)) WHERE pk > 0");
-  row.bind(1, table);
+  SQLite::Statement row = bound(connection,
+                                "SELECT name, type, count(*) OVER (), wr FROM pragma_table_info(?1), (SELECT wr FROM "
+                                "pragma_table_list(?1)) WHERE pk > 0",
+                                table);
   const bool numbered = row.executeStep() && row.getColumn(1).getString() == "INTEGER" &&
                         row.getColumn(2).getInt() == 1 && row.getColumn(3).getInt() == 0;
   return numbered ? row.getColumn(0).getString() : "";
@@ -47,8 +47,7 @@ std::vector<std::string> tables_by_reference(SQLite::Database& connection) {
   const std::function<void(const std::string&)> visit = [&](const std::string& name) {
     if (!visited.insert(name).second) return;
     std::vector<std::string> parents;
-    SQLite::Statement reference(connection, "SELECT \"table\" FROM pragma_foreign_key_list(?)");
-    reference.bind(1, name);
+    SQLite::Statement reference = bound(connection, "SELECT \"table\" FROM pragma_foreign_key_list(?)", name);
     while (reference.executeStep()) parents.push_back(reference.getColumn(0).getString());
     for (const std::string& parent : parents) visit(parent);
     ordered.push_back(name);
@@ -66,9 +65,8 @@ void CopiedTable::read_columns() {
   const std::set<std::string> known = column_names(into_, name_);
   for (const Column& column : columns_of(source_, name_))
     if (known.contains(column.name) && column.name != number_column_) columns_.push_back({column.name, {}});
-  SQLite::Statement row(source_,
-                        "SELECT \"from\", \"table\", coalesce(\"to\", '') FROM pragma_foreign_key_list(?) ORDER BY id");
-  row.bind(1, name_);
+  SQLite::Statement row = bound(
+      source_, "SELECT \"from\", \"table\", coalesce(\"to\", '') FROM pragma_foreign_key_list(?) ORDER BY id", name_);
   while (row.executeStep()) {
     const std::string from = row.getColumn(0).getString(), parent = row.getColumn(1).getString(),
                       to = row.getColumn(2).getString();
@@ -86,10 +84,11 @@ std::string CopiedTable::list() const {
 
 /// Columns that tell one row from another, wherever it is.
 std::vector<std::string> CopiedTable::identity() const {
-  SQLite::Statement row(source_,
-                        "SELECT column.name FROM (SELECT name FROM pragma_index_list(?) WHERE \"unique\" = 1 "
-                        "ORDER BY origin = 'u' DESC, seq LIMIT 1) AS first, pragma_index_info(first.name) AS column");
-  row.bind(1, name_);
+  SQLite::Statement row =
+      bound(source_,
+            "SELECT column.name FROM (SELECT name FROM pragma_index_list(?) WHERE \"unique\" = 1 "
+            "ORDER BY origin = 'u' DESC, seq LIMIT 1) AS first, pragma_index_info(first.name) AS column",
+            name_);
   std::vector<std::string> names, all;
   for (const CopiedColumn& column : columns_) all.push_back(column.name);
   while (row.executeStep()) names.push_back(row.getColumn(0).getString());

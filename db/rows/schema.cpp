@@ -232,8 +232,7 @@ const QuantityColumn* find_quantity_column(std::string_view name) {
 
 std::vector<Column> columns_of(SQLite::Database& connection, const std::string& table) {
   std::vector<Column> columns;
-  SQLite::Statement statement(connection, "SELECT name, type FROM pragma_table_info(?)");
-  statement.bind(1, table);
+  SQLite::Statement statement = bound(connection, "SELECT name, type FROM pragma_table_info(?)", table);
   while (statement.executeStep())
     columns.push_back({statement.getColumn(0).getString(), statement.getColumn(1).getString()});
   return columns;
