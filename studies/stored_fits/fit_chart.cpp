@@ -24,17 +24,17 @@ struct FitAxis {
   ScaledUnit unit;
 
   FitAxis(ChartAxis wanted, const std::vector<double>& values) : axis(std::move(wanted)) {
-    double smallest = std::numeric_limits<double>::infinity(), largest = 0;
+    Span size{.highest = 0};
     for (const double value : values) {
       if (!std::isfinite(value)) continue;
       axis.logarithmic &= value > 0;
-      smallest = std::min(smallest, std::abs(value));
-      largest = std::max(largest, std::abs(value));
+      size.include(std::abs(value));
     }
     if (axis.unit == "K" && is_temperature(axis.name))
       unit = celsius(), axis.logarithmic = false;
     else
-      unit = axis.logarithmic ? scaled_unit_logarithmic(axis.unit, smallest, largest) : scaled_unit(axis.unit, largest);
+      unit = axis.logarithmic ? scaled_unit_logarithmic(axis.unit, size.lowest, size.highest)
+                              : scaled_unit(axis.unit, size.highest);
     axis.unit = typeset_unit(unit.name);
     axis.margin = 0.03;
   }
@@ -53,6 +53,14 @@ bool outlies(const FitRecord& fit, const FitDataRecord& one) {
   return std::abs(one.residual) > far_off * scatter_of(fit);
 }
 
+/// From the least to the most of what is finite.
+Span finite_span(const std::vector<double>& values) {
+  Span span;
+  for (const double value : values)
+    if (std::isfinite(value)) span.include(value);
+  return span;
+}
+
 /// What residuals are drawn against: a value for each measurement, NaN where it has none.
 struct ResidualAxis {
   ChartAxis axis;
@@ -60,10 +68,8 @@ struct ResidualAxis {
 
   /// Whether there are two different values.
   bool varies() const {
-    double least = std::numeric_limits<double>::infinity(), most = -least;
-    for (const double value : values)
-      if (std::isfinite(value)) least = std::min(least, value), most = std::max(most, value);
-    return most > least;
+    const Span span = finite_span(values);
+    return span.highest > span.lowest;
   }
 };
 
@@ -75,11 +81,9 @@ ResidualAxis place_axis(const FitRecord& fit) {
 }
 
 bool is_wide(const std::vector<double>& values) {
-  double least = std::numeric_limits<double>::infinity(), most = 0;
-  for (const double value : values)
-    if (std::isfinite(value)) least = std::min(least, value), most = std::max(most, value);
+  const Span span = finite_span(values);
   constexpr double wide = 20;
-  return least > 0 && most > wide * least;
+  return span.lowest > 0 && span.highest > wide * span.lowest;
 }
 
 ResidualAxis prediction_axis(const FitRecord& fit) {
@@ -173,21 +177,21 @@ ChartRequest residuals(const FitRecord& fit, const ResidualAxis& along) {
   for (const std::string& label : labels) request.curves.push_back({label.empty() ? "residuals" : label, {}});
   ChartCurve others{.label = labels.empty() ? "residuals" : "of other values", .points = {}},
       far{.label = off_in_words(), .points = {}};
-  double least = std::numeric_limits<double>::infinity(), most = -least;
+  Span shown;
   for (std::size_t i = 0; i < fit.data.size(); ++i) {
     const double at = x.at(along.values[i]), residual = fit.data[i].residual / scatter_of(fit);
     if (!std::isfinite(at) || !std::isfinite(residual)) continue;
-    least = std::min(least, at), most = std::max(most, at);
+    shown.include(at);
     const std::int64_t curve = fit.data[i].curve;
     add_alone(outlies(fit, fit.data[i]) ? far
               : curve < 0               ? others
                                         : request.curves[static_cast<std::size_t>(curve)],
               {at, residual});
   }
-  if (!(most > least)) least -= 0.5, most += 0.5;
+  if (!(shown.highest > shown.lowest)) shown.lowest -= 0.5, shown.highest += 0.5;
   request.curves.push_back({"0 and ±2 deviations", {}, {}, false});
   for (const double level : {-2.0, 0.0, 2.0})
-    for (const ChartPoint& point : {ChartPoint{least, level}, {most, level}, {nothing, nothing}})
+    for (const ChartPoint& point : {ChartPoint{shown.lowest, level}, {shown.highest, level}, {nothing, nothing}})
       request.curves.back().points.push_back(point);
   for (ChartCurve* const curve : {&others, &far})
     if (!curve->points.empty()) request.curves.push_back(std::move(*curve));
@@ -255,11 +259,11 @@ ChartRequest profile(const FitRecord& fit, const FitParameterRecord& parameter,
       const double errors = 1.2 * std::sqrt(level) * piece / (4 * pieces);
       request.curves[2].points.push_back({x.at(moved(parameter, errors)), errors * errors});
     }
-  double least = std::numeric_limits<double>::infinity(), most = -least;
+  Span shown;
   for (const ChartCurve& curve : request.curves)
     for (const ChartPoint& point : curve.points)
-      if (point.drawn()) least = std::min(least, point.x), most = std::max(most, point.x);
-  request.curves[3].points = {{least, level}, {most, level}};
+      if (point.drawn()) shown.include(point.x);
+  request.curves[3].points = {{shown.lowest, level}, {shown.highest, level}};
   return request;
 }
 
