@@ -89,6 +89,9 @@ std::string_view name_of(Choice choice) {
 /// Position of `name` in `names`, or -1.
 int find_name(std::span<const std::string_view> names, std::string_view name);
 
+/// Whether a word is one of `words`, which have blanks between them.
+bool has_word(std::string_view words, std::string_view word);
+
 /// The known name closest to a misspelt one (Damerau-Levenshtein distance); if none is near, the shortest that has it
 /// as a part, as "rolling_resistance" has "resistance"; else empty.
 std::string nearest_name(std::span<const std::string_view> names, std::string_view misspelt);
