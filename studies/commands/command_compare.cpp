@@ -6,6 +6,7 @@
 #include "studies/program/commands.hpp"
 #include "studies/stored/study_rows.hpp"
 #include "studies/stored_fits/stored_comparison.hpp"
+#include "studies/stored_fits/stored_fit.hpp"
 #include "studies/text/readable_number.hpp"
 #include "studies/text/table_json.hpp"
 #include "studies/text/table_output.hpp"
@@ -98,11 +99,7 @@ std::optional<StoredComparison> compared_fits(const CompareArguments& arguments)
   if (!a && !b) return std::nullopt;
   for (const auto& [found, name, store] : {std::tuple(a.has_value(), arguments.studies.front(), &first),
                                            {b.has_value(), arguments.studies.back(), &second}}) {
-    if (found) continue;
-    std::vector<std::string> known;
-    for (const FitSummary& fit : stored_fits(store->database())) known.push_back(fit.name);
-    const std::vector<std::string_view> names(known.begin(), known.end());
-    throw std::invalid_argument(unknown(store->database().name() + ": " + name + ": no such fit", names, name));
+    if (!found) refuse_fit(store->database(), name, store->database().name() + ": ");
   }
   if (arguments.studies.size() == 1 && arguments.other_database.empty())
     throw std::invalid_argument("fit = " + a->name + ": needs a second fit, or a second database with --with");

@@ -31,8 +31,7 @@ using TimedFiles = std::map<std::string, std::vector<TimedFile>>;
 std::string chosen_axis(const StudyOutline& study, const std::string& wish) {
   if (wish.empty()) return study.axes.empty() ? "" : study.axes.front();
   if (std::find(study.axes.begin(), study.axes.end(), wish) != study.axes.end()) return wish;
-  const std::vector<std::string_view> names(study.axes.begin(), study.axes.end());
-  throw std::invalid_argument("--axis = " + wish + ": " + unknown("is no axis of " + study.name, names, wish));
+  throw std::invalid_argument("--axis = " + wish + ": " + unknown("is no axis of " + study.name, study.axes, wish));
 }
 
 std::string unit_of_input(std::string_view key, const RollingScene& scene) {

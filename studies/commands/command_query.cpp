@@ -161,8 +161,7 @@ void query(const QueryArguments& arguments, Session& session) {
     throw std::invalid_argument("--format = xlsx: needs --out FILE, a workbook is not printed");
   const StopSignal signal;
   const GatheredDatabases gathered(arguments.databases);
-  for (const auto& [file, name, here] : gathered.renamed())
-    session.err << file << ": study " << name << " is defined otherwise and comes as " << here << '\n';
+  session.err << gathered.renamed_in_words();
   Database database = open_database(gathered.file(), Access::read);
   database.stop_when(signal.requested());
   std::size_t found = 0;

@@ -5,9 +5,7 @@
 
 #include "studies/drawing/bar_chart.hpp"
 #include "studies/optimise/optimise_report.hpp"
-#include "studies/program/commands.hpp"
-#include "studies/run/progress.hpp"
-#include "studies/run/stop_signal.hpp"
+#include "studies/program/watched_run.hpp"
 #include "studies/scene_io/scene_file.hpp"
 #include "studies/sensitivity/global_sensitivity.hpp"
 #include "studies/sensitivity/gradient_report.hpp"
@@ -165,11 +163,8 @@ void global_sensitivity(const SensitivityArguments& arguments, Session& session)
   } else {
     StudyRecord study{problem.name + " " + arguments.indices, {}, standalone_study(arguments.file)};
     for (const Variable& variable : problem.variables) study.axes.emplace_back(variable.quantity.key);
-    const auto tell = [&, name = study.name](const Redefinition& redefined) {
-      session.err << name << ": defined anew: " << redefined.in_words() << '\n';
-    };
     evaluations.emplace(session.evaluate, arguments.database, study, &signal.requested(),
-                        StudyStart{arguments.replace, tell});
+                        StudyStart{arguments.replace, tell_redefined(study.name, session)});
   }
   std::optional<StatusLine> line(session.err);
   std::mutex one_at_a_time;

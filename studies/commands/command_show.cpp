@@ -36,11 +36,6 @@ struct ListArguments {
   bool json = false;
 };
 
-/// "2013-05-01T12:00:00.000Z" to the second, as it is read.
-std::string to_the_second(const std::string& time) {
-  return time.empty() ? "" : time.substr(0, 10) + " " + time.substr(11, 8);
-}
-
 void list(const ListArguments& arguments, Session& session) {
   ResultStore store(arguments.database, Access::read);
   const std::vector<StudySummary> studies = store.studies();
@@ -230,9 +225,8 @@ void show(const ShowArguments& arguments, Session& session) {
     }
   std::vector<std::string> all = store.study_names();
   for (const FitSummary& fit : stored_fits(store.database())) all.push_back(fit.name);
-  const std::vector<std::string_view> names(all.begin(), all.end());
-  throw std::invalid_argument(unknown(arguments.database + ": " + arguments.what + ": no such study, fit or evaluation",
-                                      names, arguments.what));
+  throw std::invalid_argument(
+      unknown(arguments.database + ": " + arguments.what + ": no such study, fit or evaluation", all, arguments.what));
 }
 
 }  // namespace

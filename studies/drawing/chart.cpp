@@ -10,6 +10,7 @@
 #include "studies/drawing/thinned_chart.hpp"
 #include "studies/text/files.hpp"
 #include "studies/text/readable_number.hpp"
+#include "studies/text/words.hpp"
 #include "studies/text/xml_text.hpp"
 
 namespace rollres {
@@ -28,11 +29,6 @@ std::vector<bool> marked(const ChartCurve& curve, std::size_t number) {
     marks[i] = alone || (curve.marks && (i + number) % step == 0);
   }
   return marks;
-}
-
-std::string content_of(const std::filesystem::path& file) {
-  std::ifstream in(file, std::ios::binary);
-  return {std::istreambuf_iterator<char>(in), {}};
 }
 
 /// An SVG whose title and description, which gnuplot fills with its own name, say what it shows.
@@ -97,6 +93,11 @@ ChartFiles chart_files(const std::filesystem::path& name) {
     throw std::invalid_argument("\"" + full + "\": the name of a chart must have no control characters");
   const auto beside = [&](const char* ending) { return name.parent_path() / (stem + ending); };
   return {beside(".gp"), beside(".dat"), beside(".svg"), beside(".png")};
+}
+
+std::filesystem::path one_of_several(const std::filesystem::path& name, const std::string& ending) {
+  const std::filesystem::path script = chart_files(name).script;  // its suffix is known
+  return script.parent_path() / (script.stem().string() + "_" + file_name(ending) + ".svg");
 }
 
 std::string chart_data(const ChartRequest& request) {

@@ -35,19 +35,23 @@ constexpr std::array<std::pair<std::string_view, std::string_view>, 8> groups{{{
                                                                                {"heat", "Heat"},
                                                                                {"time_limit", "Limits"}}};
 
+Json quantity_json(const Quantity& quantity) {
+  return {{"key", quantity.key},
+          {"symbol", quantity.symbol},
+          {"unit", quantity.unit},
+          {"unit_2d", quantity.unit_for(Indenter::cylinder)},
+          {"meaning", quantity.meaning}};
+}
+
 Json json_of_input(const InputKind& kind) {
   const Quantity& quantity = kind.quantity;
-  Json object{{"key", quantity.key},
-              {"symbol", quantity.symbol},
-              {"unit", quantity.unit},
-              {"unit_2d", quantity.unit_for(Indenter::cylinder)},
-              {"meaning", quantity.meaning},
-              {"rule", quantity.range.rule()},
-              {"lowest", finite_or_null(quantity.range.lowest)},
-              {"highest", finite_or_null(quantity.range.highest)},
-              {"real", kind.real()},
-              {"list", kind.list},
-              {"layers", kind.layers}};
+  Json object = quantity_json(quantity);
+  object.update({{"rule", quantity.range.rule()},
+                 {"lowest", finite_or_null(quantity.range.lowest)},
+                 {"highest", finite_or_null(quantity.range.highest)},
+                 {"real", kind.real()},
+                 {"list", kind.list},
+                 {"layers", kind.layers}});
   if (kind.real()) object["replaces"] = replaced_inputs(quantity.key, 0.0);
   if (!kind.held_as.empty()) object["held_as"] = kind.held_as;
   if (!kind.choices.empty()) object["choices"] = kind.choices;
@@ -61,13 +65,7 @@ Json json_of_input(const InputKind& kind) {
 
 struct NumbersOfAnswers {
   Json list = Json::array();
-  void operator()(const Quantity& quantity, const double&) {
-    list.push_back({{"key", quantity.key},
-                    {"symbol", quantity.symbol},
-                    {"unit", quantity.unit},
-                    {"unit_2d", quantity.unit_for(Indenter::cylinder)},
-                    {"meaning", quantity.meaning}});
-  }
+  void operator()(const Quantity& quantity, const double&) { list.push_back(quantity_json(quantity)); }
   template <class Other>
   void operator()(const Quantity&, const Other&) {}
 };

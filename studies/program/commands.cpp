@@ -77,9 +77,8 @@ void refuse_unknown_command(const Command& program, const std::vector<std::strin
   if (words.empty() || words.front().empty() || words.front().front() == '-') return;
   std::vector<std::string> names;
   for (const auto& command : program.subcommands()) names.push_back(command->name());
-  const std::vector<std::string_view> known(names.begin(), names.end());
-  if (find_name(known, words.front()) >= 0) return;
-  throw std::invalid_argument(unknown(words.front() + ": unknown command", known, words.front(), "see rollres --help"));
+  if (std::find(names.begin(), names.end(), words.front()) != names.end()) return;
+  throw std::invalid_argument(unknown(words.front() + ": unknown command", names, words.front(), "see rollres --help"));
 }
 
 }  // namespace

@@ -19,10 +19,6 @@ using html::TableRow;
 
 const QuantityColumn& output(const std::string& key) { return *find_quantity_column(key); }
 
-std::string to_the_second(const std::string& time) {
-  return time.size() < 19 ? time : time.substr(0, 10) + " " + time.substr(11, 8);
-}
-
 bool at_default(const Cell& cell, const InputKind& kind) {
   if (kind.optional || kind.list) return std::holds_alternative<std::monostate>(cell);
   if (const auto* const text = std::get_if<std::string>(&kind.default_value)) return cell == Cell(*text);

@@ -62,14 +62,13 @@ std::vector<const QuantityColumn*> quantity_columns_of(const Database& database,
 StudyRows::StudyRows(ResultStore& store, const std::string& study, const std::vector<Filter>& filters) {
   const FormulaDefinitions formulas = formulas_of(store, study);
   std::vector<Filter> rows = formulas.empty() ? filters : std::vector<Filter>();  // groups know no formula
-  convert_to_si(rows, formulas);
   rows.push_back({"study", Comparison::equal, study});
   columns_ = quantity_columns_of(store.database(), rows);
   const bool named = column_names(store.database().connection(), "result").contains(std::string(variant_key));
   if (named) columns_.push_back(find_quantity_column(variant_key));
   const auto of_variants = columns_.size() - 1;
   for (const auto& [name, formula] : formulas) columns_.push_back(&derived_column(name, formula));
-  read(store, study, filters);
+  read(store, study, filters, formulas);
   if (named && values(*columns_[of_variants]) == std::vector<Cell>{Cell()})  // no point is of a variant
     columns_.erase(columns_.begin() + static_cast<std::ptrdiff_t>(of_variants));
 }
@@ -77,11 +76,11 @@ StudyRows::StudyRows(ResultStore& store, const std::string& study, const std::ve
 StudyRows::StudyRows(const StudyRows& like, ResultStore& store, const std::string& study,
                      const std::vector<Filter>& filters)
     : columns_(like.columns_) {
-  read(store, study, filters);
+  read(store, study, filters, formulas_of(store, study));
 }
 
-void StudyRows::read(ResultStore& store, const std::string& study, const std::vector<Filter>& filters) {
-  const FormulaDefinitions formulas = formulas_of(store, study);
+void StudyRows::read(ResultStore& store, const std::string& study, const std::vector<Filter>& filters,
+                     const FormulaDefinitions& formulas) {
   Query query{.filters = filters, .sort = {"position"}, .computed = computed_columns(formulas)};
   query.filters.push_back({"study", Comparison::equal, study});
   convert_to_si(query.filters, formulas);
@@ -288,9 +287,8 @@ std::string stored_study_name(ResultStore& store, const std::string& name) {
         (fits == 0 ? "" : ", only fits, " + std::to_string(fits) + " (rollres list names them)"));
   }
   if (name.empty() && all.size() == 1) return all.front();
-  const std::vector<std::string_view> names(all.begin(), all.end());
   if (!name.empty())
-    throw std::invalid_argument(file + ": study = " + name + ": " + unknown("unknown study", names, name));
+    throw std::invalid_argument(file + ": study = " + name + ": " + unknown("unknown study", all, name));
   throw std::invalid_argument(file + ": holds several studies, choose one with --study: " + joined(all));
 }
 

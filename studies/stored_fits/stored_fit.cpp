@@ -264,8 +264,14 @@ Table fit_table(const std::vector<FitSummary>& fits) {
   Table table{{"fit", "kind", "status", "parameters", "values", "chi squared", "created (UTC)"}, {}};
   for (const FitSummary& fit : fits)
     table.rows.push_back({fit.name, fit.kind, fit.status, few(fit.parameters), fit.values, cell_of(fit.chi_squared),
-                          fit.created.substr(0, 10) + " " + fit.created.substr(11, 8)});
+                          to_the_second(fit.created)});
   return table;
+}
+
+void refuse_fit(const Database& database, const std::string& name, const std::string& asked) {
+  std::vector<std::string> known;
+  for (const FitSummary& fit : stored_fits(database)) known.push_back(fit.name);
+  throw std::invalid_argument(unknown(asked + name + ": no such fit", known, name));
 }
 
 std::vector<std::string> export_fit(const FitRecord& fit, const std::filesystem::path& folder) {

@@ -32,6 +32,10 @@ Json json_of(const FitRecord& fit);
 /// Fits as rows of a table: name, kind, status, parameters, measured values, chi squared, time.
 Table fit_table(const std::vector<FitSummary>& fits);
 
+/// @param asked  stands before the name: "fits.db: --fit = "
+/// @throws std::invalid_argument that the database has no fit of this name, with the nearest one
+[[noreturn]] void refuse_fit(const Database& database, const std::string& name, const std::string& asked);
+
 /// Writes fit.json (the fit file), parameters.csv, data.csv, profiles.csv, curves.csv, report.json and, where it is
 /// known, scene.json (what was fitted, with all digits) into a folder. @return the names of the files
 /// @throws std::runtime_error naming the file or folder that failed

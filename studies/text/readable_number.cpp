@@ -26,6 +26,10 @@ std::string short_number(double value, int digits) {
   return {text.data(), written.ptr};
 }
 
+std::string to_the_second(const std::string& time) {
+  return time.size() < 19 ? time : time.substr(0, 10) + " " + time.substr(11, 8);
+}
+
 std::string percent(double part, int digits) {
   return std::isfinite(part) ? short_number(100 * part, digits) + " %" : "-";
 }

@@ -47,6 +47,11 @@ std::string unknown(const std::string& what, std::span<const std::string_view> k
   return otherwise.empty() ? what : what + "; " + otherwise;
 }
 
+std::string unknown(const std::string& what, const std::vector<std::string>& known, std::string_view name,
+                    const std::string& otherwise) {
+  return unknown(what, std::vector<std::string_view>(known.begin(), known.end()), name, otherwise);
+}
+
 std::string shell_word(std::string_view text) { return "'" + replaced(text, {{'\'', "'\\''"}}) + "'"; }
 
 std::string file_name(std::string name) {
