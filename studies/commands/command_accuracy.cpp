@@ -47,22 +47,16 @@ std::vector<std::string> names_of(const std::vector<std::string>& files) {
 
 Json object_of(const AccuracyReport& report) {
   const AccuracyReference& reference = report.reference;
-  Json object{{"scene", report.name},
-              {"reference", nullptr},
-              {"trends", Json::array()},
-              {"points", json_of(accuracy_rows({report}))}};
+  Json object = json_object("scene", report.name, "reference", nullptr, "trends", Json::array(), "points",
+                            json_of(accuracy_rows({report})));
   if (reference.found())
-    object["reference"] = {{"rolling_resistance", reference.rolling_resistance},
-                           {"method", name_of(reference.method)},
-                           {"spacing", finite_or_null(reference.spacing)},
-                           {"contact_nodes", reference.contact_nodes},
-                           {"extrapolated", reference.extrapolated},
-                           {"uncertainty", finite_or_null(reference.uncertainty)}};
+    object["reference"] =
+        json_object("rolling_resistance", reference.rolling_resistance, "method", name_of(reference.method), "spacing",
+                    reference.spacing, "contact_nodes", reference.contact_nodes, "extrapolated", reference.extrapolated,
+                    "uncertainty", reference.uncertainty);
   for (const AccuracyTrend& trend : report.trends)
-    object["trends"].push_back({{"method", name_of(trend.method)},
-                                {"order", finite_or_null(trend.order)},
-                                {"order_deviation", finite_or_null(trend.order_deviation)},
-                                {"growth", finite_or_null(trend.growth)}});
+    object["trends"].push_back(json_object("method", name_of(trend.method), "order", trend.order, "order_deviation",
+                                           trend.order_deviation, "growth", trend.growth));
   return object;
 }
 
@@ -93,10 +87,8 @@ void random_accuracy(const AccuracyArguments& arguments, Session& session) {
   write_file(file, csv_of(judged_table(report.solutions)));
   const Table table = random_accuracy_table(counts_of(report.solutions));
   if (arguments.json) {
-    session.out << text_of(Json{{"seed", plan.seed},
-                                {"interrupted", report.interrupted},
-                                {"results", json_of(table)},
-                                {"files", {file.string()}}},
+    session.out << text_of(json_object("seed", plan.seed, "interrupted", report.interrupted, "results", json_of(table),
+                                       "files", Json::array({file.string()})),
                            2)
                 << '\n';
   } else {

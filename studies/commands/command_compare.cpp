@@ -57,23 +57,16 @@ void print_summary(std::ostream& out, const StudyComparison& comparison) {
 }
 
 Json report_of(const StudyComparison& comparison, const CompareArguments& arguments) {
-  Json object{{"first", arguments.studies.front()},
-              {"second", arguments.studies.back()},
-              {"compared", Json::array()},
-              {"matched", comparison.matched},
-              {"only_first", comparison.only_first},
-              {"only_second", comparison.only_second},
-              {"half_answered", comparison.half_answered},
-              {"unanswered", comparison.unanswered},
-              {"outputs", Json::array()}};
+  Json object = json_object("first", arguments.studies.front(), "second", arguments.studies.back(), "compared",
+                            Json::array(), "matched", comparison.matched, "only_first", comparison.only_first,
+                            "only_second", comparison.only_second, "half_answered", comparison.half_answered,
+                            "unanswered", comparison.unanswered, "outputs", Json::array());
   for (const ComparedInput& input : comparison.compared)
     object["compared"].push_back(
         {{"key", input.key}, {"first", json_of(input.first)}, {"second", json_of(input.second)}});
   for (const OutputDifference& output : comparison.outputs)
-    object["outputs"].push_back({{"output", output.output},
-                                 {"points", output.points},
-                                 {"largest", json_of(Cell(output.largest))},
-                                 {"rms", json_of(Cell(output.rms))}});
+    object["outputs"].push_back(json_object("output", output.output, "points", output.points, "largest",
+                                            json_of(Cell(output.largest)), "rms", json_of(Cell(output.rms))));
   if (arguments.within) object["within"] = comparison.within(*arguments.within);
   object["differences"] = json_of(table_of(comparison, arguments.limit));
   return object;

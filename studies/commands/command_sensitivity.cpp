@@ -193,11 +193,9 @@ void global_sensitivity(const SensitivityArguments& arguments, Session& session)
   const EvaluationCount count = evaluations->count();
   const std::string unit = problem.unit(problem.goal.formula);
   if (arguments.json) {
-    Json object{{"output", problem.goal.formula.text()},
-                {"unit", unit},
-                {"indices", arguments.indices},
-                {"seed", arguments.seed},
-                {"evaluations", {{"solved", count.solved}, {"recalled", count.recalled}, {"failed", count.failed}}}};
+    Json object = json_object("output", problem.goal.formula.text(), "unit", unit, "indices", arguments.indices, "seed",
+                              arguments.seed, "evaluations",
+                              json_object("solved", count.solved, "recalled", count.recalled, "failed", count.failed));
     object.update(findings.summary);
     object["inputs"] = json_of(findings.table);
     session.out << text_of(object, 2) << '\n';

@@ -24,11 +24,9 @@ namespace rollres {
 namespace {
 
 Json summary_json(const StudySummary& study) {
-  return {{"study", study.name},      {"axes", study.axes},
-          {"points", study.points},   {"answered", study.answered},
-          {"failed", study.failed},   {"created", study.created},
-          {"started", study.started}, {"last_result", study.last_result},
-          {"note", study.note}};
+  return json_object("study", study.name, "axes", study.axes, "points", study.points, "answered", study.answered,
+                     "failed", study.failed, "created", study.created, "started", study.started, "last_result",
+                     study.last_result, "note", study.note);
 }
 
 struct ListArguments {

@@ -160,11 +160,8 @@ void relate(const StabilityArguments& arguments, Session& session) {
   write_file(file, csv_of(relation_trials_table(report.trials)));
   const Table table = relations_table(report.trials);
   if (arguments.json) {
-    session.out << text_of(Json{{"seed", plan.seed},
-                                {"interrupted", report.interrupted},
-                                {"results", json_of(table)},
-                                {"broken", broken},
-                                {"files", {file.string()}}},
+    session.out << text_of(json_object("seed", plan.seed, "interrupted", report.interrupted, "results", json_of(table),
+                                       "broken", broken, "files", Json::array({file.string()})),
                            2)
                 << '\n';
   } else {
@@ -203,15 +200,9 @@ void stability(const StabilityArguments& arguments, Session& session) {
   files.insert(files.begin(), rows);
 
   if (arguments.json) {
-    Json object{{"out", folder.string()},
-                {"seed", plan.seed},
-                {"cylinders", plan.cylinders},
-                {"spheres", plan.spheres},
-                {"interrupted", report.interrupted},
-                {"seconds", report.seconds},
-                {"results", Json::array()},
-                {"failed", failed_files},
-                {"files", Json::array()}};
+    Json object = json_object("out", folder.string(), "seed", plan.seed, "cylinders", plan.cylinders, "spheres",
+                              plan.spheres, "interrupted", report.interrupted, "seconds", report.seconds, "results",
+                              Json::array(), "failed", failed_files, "files", Json::array());
     for (const StabilityCount& count : all) object["results"].push_back(object_of(count));
     for (const fs::path& file : files) object["files"].push_back(file.string());
     session.out << text_of(object, 2) << '\n';

@@ -19,10 +19,10 @@ struct SweepArguments {
 void print_json(std::ostream& out, const SweepReport& report, const std::vector<Failure>& failures,
                 const SweepArguments& arguments) {
   const StudySummary& study = report.study;
-  Json object{{"study", study.name},       {"db", arguments.database},    {"points", report.points},
-              {"dropped", report.dropped}, {"answered", report.answered}, {"recalled", report.recalled},
-              {"solved", report.solved},   {"failed", report.failed},     {"interrupted", report.interrupted},
-              {"seconds", report.seconds}, {"failures", Json::array()}};
+  Json object = json_object("study", study.name, "db", arguments.database, "points", report.points, "dropped",
+                            report.dropped, "answered", report.answered, "recalled", report.recalled, "solved",
+                            report.solved, "failed", report.failed, "interrupted", report.interrupted, "seconds",
+                            report.seconds, "failures", Json::array());
   if (!arguments.shard.empty()) object["shard"] = arguments.shard;
   for (const Failure& failure : failures)
     object["failures"].push_back({{"status", failure.status}, {"reason", failure.reason}, {"points", failure.points}});

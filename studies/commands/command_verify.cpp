@@ -76,16 +76,10 @@ Table summary_of(const std::vector<VerificationRow>& rows) {
 Json array_of(const std::vector<VerificationRow>& rows) {
   Json array = Json::array();
   for (const VerificationRow& row : rows)
-    array.push_back({{"check", row.quantity},
-                     {"source", row.source},
-                     {"unit", row.unit},
-                     {"expected", row.expected},
-                     {"got", json_of(Cell(row.got))},
-                     {"difference", json_of(Cell(row.difference()))},
-                     {"tolerance", row.tolerance},
-                     {"allowance", row.allowance},
-                     {"passed", row.passed()},
-                     {"reason", row.reason}});
+    array.push_back(json_object("check", row.quantity, "source", row.source, "unit", row.unit, "expected", row.expected,
+                                "got", json_of(Cell(row.got)), "difference", json_of(Cell(row.difference())),
+                                "tolerance", row.tolerance, "allowance", row.allowance, "passed", row.passed(),
+                                "reason", row.reason));
   return array;
 }
 
@@ -102,11 +96,8 @@ void run_verify(const VerifyArguments& arguments, Session& session) {
   const auto passed = static_cast<std::ptrdiff_t>(rows.size()) - failed;
   if (failed > 0) session.status = ExitStatus::no_answer;
   if (arguments.json) {
-    const Json object{{"version", this_program().version},
-                      {"passed", passed},
-                      {"failed", failed},
-                      {"seconds", seconds},
-                      {"rows", array_of(rows)}};
+    const Json object = json_object("version", this_program().version, "passed", passed, "failed", failed, "seconds",
+                                    seconds, "rows", array_of(rows));
     session.out << text_of(object, 2) << '\n';
     return;
   }

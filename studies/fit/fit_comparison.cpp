@@ -295,31 +295,19 @@ std::string comparison_summary(const FitComparison& comparison) {
 }
 
 Json json_of(const FitComparison& comparison) {
-  Json object{{"best", comparison.fits.front().name},
-              {"fits", Json::array()},
-              {"likelihood_ratios", Json::array()},
-              {"largest_difference", nullptr},
-              {"next_measurement", nullptr}};
+  Json object = json_object("best", comparison.fits.front().name, "fits", Json::array(), "likelihood_ratios",
+                            Json::array(), "largest_difference", nullptr, "next_measurement", nullptr);
   for (const ComparedFit& fit : comparison.fits)
-    object["fits"].push_back({{"fit", fit.name},
-                              {"model", fit.model},
-                              {"status", fit.status},
-                              {"parameters", fit.parameters},
-                              {"chi_squared", finite_or_null(fit.chi_squared)},
-                              {"aicc", finite_or_null(fit.aicc)},
-                              {"bic", finite_or_null(fit.bic)},
-                              {"weight", finite_or_null(fit.weight)}});
+    object["fits"].push_back(json_object("fit", fit.name, "model", fit.model, "status", fit.status, "parameters",
+                                         fit.parameters, "chi_squared", fit.chi_squared, "aicc", fit.aicc, "bic",
+                                         fit.bic, "weight", fit.weight));
   for (const LikelihoodRatio& ratio : comparison.ratios)
-    object["likelihood_ratios"].push_back({{"fit", ratio.small},
-                                           {"case_of", ratio.large},
-                                           {"rise", finite_or_null(ratio.rise)},
-                                           {"degrees", ratio.degrees},
-                                           {"p_value", finite_or_null(ratio.p_value)}});
+    object["likelihood_ratios"].push_back(json_object("fit", ratio.small, "case_of", ratio.large, "rise", ratio.rise,
+                                                      "degrees", ratio.degrees, "p_value", ratio.p_value));
   const auto difference_json = [](const LargestDifference& one) {
-    Json difference{{"where", one.where},
-                    {"fits", {one.first, one.second}},
-                    {"values", {finite_or_null(one.values[0]), finite_or_null(one.values[1])}},
-                    {"deviations", finite_or_null(one.deviations)}};
+    Json difference = json_object("where", one.where, "fits", Json::array({one.first, one.second}), "values",
+                                  Json::array({finite_or_null(one.values[0]), finite_or_null(one.values[1])}),
+                                  "deviations", one.deviations);
     for (const auto& [key, value] : one.inputs) difference["inputs"][key] = finite_or_null(value);
     return difference;
   };

@@ -185,13 +185,9 @@ Json choices_json(const MeasurementPlan& design, const std::vector<std::size_t>&
   Json choices = Json::array();
   for (const std::size_t place : places) {
     const DesignChoice& choice = design.choices[place];
-    choices.push_back({{"speed", choice.scene.speed},
-                       {"load", choice.scene.load ? Json(*choice.scene.load) : Json(nullptr)},
-                       {"data", choice.set},
-                       {"predicted", choice.predicted},
-                       {"deviation", choice.deviation},
-                       {"relative_errors", after_json(design, choice.deviations)},
-                       {"ratio", design.ratio(choice)}});
+    choices.push_back(json_object("speed", choice.scene.speed, "load", choice.scene.load, "data", choice.set,
+                                  "predicted", choice.predicted, "deviation", choice.deviation, "relative_errors",
+                                  after_json(design, choice.deviations), "ratio", design.ratio(choice)));
     for (const std::string& key : inputs) choices.back()[key] = real_input(choice.scene, key);
   }
   return choices;
@@ -275,14 +271,13 @@ Json json_of(const FitDesign& design) {
   Json sequence = Json::array();
   for (const JointChoice& joint : design.together) sequence.push_back(together_json(design, joint));
   const MeasurementPlan& plan = design.speeds;
-  return {{"worst", plan.aims[plan.worst].name},
-          {"relative_error", finite_or_null(plan.deviations[static_cast<Eigen::Index>(plan.worst)])},
-          {"relative_errors", after_json(plan, plan.deviations)},
-          {"speeds", choices_json(design.speeds, places_of_best(design.speeds))},
-          {"loads", choices_json(design.loads, places_of_best(design.loads))},
-          {"anywhere", choices_json(design.anywhere, design.best, design.inputs)},
-          {"sequence", sequence},
-          {"together", sequence.empty() ? Json(nullptr) : sequence.back()}};
+  return json_object("worst", plan.aims[plan.worst].name, "relative_error",
+                     plan.deviations[static_cast<Eigen::Index>(plan.worst)], "relative_errors",
+                     after_json(plan, plan.deviations), "speeds",
+                     choices_json(design.speeds, places_of_best(design.speeds)), "loads",
+                     choices_json(design.loads, places_of_best(design.loads)), "anywhere",
+                     choices_json(design.anywhere, design.best, design.inputs), "sequence", sequence, "together",
+                     sequence.empty() ? Json(nullptr) : sequence.back());
 }
 
 }  // namespace rollres

@@ -145,14 +145,9 @@ Json json_of(const FitPredictions& predictions) {
     Json& object = list.emplace_back(Json{{"place", asked.scene.measured.place}, {"data", asked.scene.set}});
     for (const std::string& key : predictions.asked.inputs)
       object[key] = json_of(cell_of(input_at(predictions, i, key)));
-    object.update({{"output", predictions.asked.output},
-                   {"unit", unit_of_all(predictions)},
-                   {"predicted_as", name_of(predictions.as)},
-                   {"value", finite_or_null(one.value)},
-                   {"standard_error", finite_or_null(one.standard_error)},
-                   {"lowest", finite_or_null(one.lowest)},
-                   {"highest", finite_or_null(one.highest)},
-                   {"measured", finite_or_null(asked.measured)}});
+    object.update(json_object("output", predictions.asked.output, "unit", unit_of_all(predictions), "predicted_as",
+                              name_of(predictions.as), "value", one.value, "standard_error", one.standard_error,
+                              "lowest", one.lowest, "highest", one.highest, "measured", asked.measured));
   }
   return list;
 }

@@ -7,7 +7,7 @@
 
 #include "studies/program/completion.hpp"
 #include "studies/text/printable.hpp"
-#include "studies/text/strict_json.hpp"
+#include "studies/text/table_json.hpp"
 #include "studies/text/words.hpp"
 
 #ifndef ROLLRES_VERSION
@@ -50,11 +50,8 @@ std::string version_and_libraries() {
   Json libraries = Json::array();
   for (const Library& library : known)
     libraries.push_back({{"name", library.name}, {"version", library.version}, {"licence", library.licence}});
-  const Json all{{"program", "rollres"},
-                 {"version", ROLLRES_VERSION},
-                 {"licence_of_sources", "MIT"},
-                 {"licence_of_binary", "GPL-3.0-or-later"},
-                 {"libraries", libraries}};
+  const Json all = json_object("program", "rollres", "version", ROLLRES_VERSION, "licence_of_sources", "MIT",
+                               "licence_of_binary", "GPL-3.0-or-later", "libraries", libraries);
   return all.dump(2);
 }
 

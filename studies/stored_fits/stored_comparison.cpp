@@ -69,23 +69,15 @@ std::string digits_of(double value, int digits = 5) { return std::isfinite(value
 
 Json side(const FitRecord& fit) {
   const InformationCriteria criteria = criteria_of(fit);
-  return {{"fit", fit.name},
-          {"kind", fit.kind},
-          {"status", fit.status},
-          {"values", fit.data.size()},
-          {"degrees", fit.degrees},
-          {"chi_squared", finite_or_null(fit.chi_squared)},
-          {"reduced_chi_squared", finite_or_null(fit.reduced_chi_squared)},
-          {"p_value", finite_or_null(fit.p_value)},
-          {"aicc", finite_or_null(criteria.aicc)},
-          {"bic", finite_or_null(criteria.bic)}};
+  return json_object("fit", fit.name, "kind", fit.kind, "status", fit.status, "values", fit.data.size(), "degrees",
+                     fit.degrees, "chi_squared", fit.chi_squared, "reduced_chi_squared", fit.reduced_chi_squared,
+                     "p_value", fit.p_value, "aicc", criteria.aicc, "bic", criteria.bic);
 }
 
 Json parameter_json(const FitParameterRecord& one) {
   const auto [lowest, highest] = interval_of(one);
-  return {{"value", finite_or_null(one.value)},
-          {"standard_error", finite_or_null(one.standard_error)},
-          {"interval", {finite_or_null(lowest), finite_or_null(highest)}}};
+  return json_object("value", one.value, "standard_error", one.standard_error, "interval",
+                     Json::array({finite_or_null(lowest), finite_or_null(highest)}));
 }
 
 }  // namespace
@@ -155,18 +147,14 @@ std::string stored_comparison_summary(const StoredComparison& comparison) {
 }
 
 Json json_of(const StoredComparison& comparison) {
-  Json object{{"first", side(comparison.first)},      {"second", side(comparison.second)},
-              {"same_data", comparison.same_data},    {"agree", comparison.agree()},
-              {"parameters", Json::array()},          {"only_first", comparison.only_first},
-              {"only_second", comparison.only_second}};
+  Json object = json_object("first", side(comparison.first), "second", side(comparison.second), "same_data",
+                            comparison.same_data, "agree", comparison.agree(), "parameters", Json::array(),
+                            "only_first", comparison.only_first, "only_second", comparison.only_second);
   for (const ComparedParameter& one : comparison.parameters)
-    object["parameters"].push_back({{"name", one.first.name},
-                                    {"unit", one.first.unit},
-                                    {"first", parameter_json(one.first)},
-                                    {"second", parameter_json(one.second)},
-                                    {"relative_difference", finite_or_null(one.relative)},
-                                    {"deviations", finite_or_null(one.deviations)},
-                                    {"agree", std::isnan(one.deviations) ? Json(nullptr) : Json(one.agree())}});
+    object["parameters"].push_back(
+        json_object("name", one.first.name, "unit", one.first.unit, "first", parameter_json(one.first), "second",
+                    parameter_json(one.second), "relative_difference", one.relative, "deviations", one.deviations,
+                    "agree", std::isnan(one.deviations) ? Json(nullptr) : Json(one.agree())));
   return object;
 }
 

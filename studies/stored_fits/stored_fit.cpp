@@ -84,20 +84,12 @@ Json interval_json(double lowest, double highest, const std::string& low, const 
 }
 
 Json fitted_json(const FitParameterRecord& p, const FitRecord& fit) {
-  Json object{{"name", p.name},
-              {"unit", p.unit},
-              {"value", number(p.value)},
-              {"standard_error", number(p.standard_error)},
-              {"relative_error", number(p.relative_error)},
-              {"linear_interval", interval_json(p.linear_lowest, p.linear_highest, p.linear_low, p.linear_high)},
-              {"profile_interval", nullptr},
-              {"start", number(p.start)},
-              {"lowest", finite_or_null(p.lowest)},
-              {"highest", finite_or_null(p.highest)},
-              {"scale", p.scale.empty() ? Json(nullptr) : Json(p.scale)},
-              {"step", number(p.step)},
-              {"slope_doubt", number(p.slope_doubt)},
-              {"flag", p.flag}};
+  Json object = json_object("name", p.name, "unit", p.unit, "value", number(p.value), "standard_error",
+                            number(p.standard_error), "relative_error", number(p.relative_error), "linear_interval",
+                            interval_json(p.linear_lowest, p.linear_highest, p.linear_low, p.linear_high),
+                            "profile_interval", nullptr, "start", number(p.start), "lowest", p.lowest, "highest",
+                            p.highest, "scale", p.scale.empty() ? Json(nullptr) : Json(p.scale), "step", number(p.step),
+                            "slope_doubt", number(p.slope_doubt), "flag", p.flag);
   if (p.profile_low.empty()) return object;
   object["profile_interval"] = interval_json(p.profile_lowest, p.profile_highest, p.profile_low, p.profile_high);
   object["profile"] = Json::array();
@@ -242,20 +234,14 @@ Json json_of(const FitRecord& fit) {
   for (const char* const told_otherwise : {"name", "definition", "deviations_known", "output_unit", "x_name", "x_unit",
                                            "x_logarithmic", "y_name", "y_unit", "y_logarithmic"})
     object.erase(told_otherwise);
-  object.update({{"fit", fit.name},
-                 {"warnings", lines_of(fit.warnings)},
-                 {"model", lines_of(fit.model)},
-                 {"values", fit.data.size()},
-                 {"deviations", fit.deviations_known ? "absolute" : "scaled by the reduced chi squared"},
-                 {"interrupted", fit.interrupted},
-                 {"failed", fit.failures},
-                 {"failures", json_of(record_table(fit.failure_reasons))},
-                 {"scene", fit.scene.empty() ? Json(nullptr) : Json::parse(fit.scene)},
-                 {"correlations", json_of(record_table(fit.correlations))},
-                 {"data", data_json(fit)},
-                 {"x", axis_json(fit.x_name, fit.x_unit, fit.x_logarithmic)},
-                 {"y", axis_json(fit.y_name, fit.y_unit, fit.y_logarithmic)},
-                 {"curves", json_of(record_table(fit.curves))}});
+  object.update(json_object(
+      "fit", fit.name, "warnings", lines_of(fit.warnings), "model", lines_of(fit.model), "values", fit.data.size(),
+      "deviations", fit.deviations_known ? "absolute" : "scaled by the reduced chi squared", "interrupted",
+      fit.interrupted, "failed", fit.failures, "failures", json_of(record_table(fit.failure_reasons)), "scene",
+      fit.scene.empty() ? Json(nullptr) : Json::parse(fit.scene), "correlations",
+      json_of(record_table(fit.correlations)), "data", data_json(fit), "x",
+      axis_json(fit.x_name, fit.x_unit, fit.x_logarithmic), "y", axis_json(fit.y_name, fit.y_unit, fit.y_logarithmic),
+      "curves", json_of(record_table(fit.curves))));
   add_parameters(object, fit);
   return object;
 }

@@ -81,6 +81,13 @@ Json json_of(const Cell& cell) {
 
 Json finite_or_null(double value) { return std::isfinite(value) ? Json(value) : Json(nullptr); }
 
+Json json_of_pairs(std::span<Json> parts) {
+  Json object = Json::object();
+  for (std::size_t i = 0; i + 1 < parts.size(); i += 2)
+    object[parts[i].get_ref<const std::string&>()] = std::move(parts[i + 1]);
+  return object;
+}
+
 Json json_of(const Table& table) {
   Json rows = Json::array();
   for (const auto& row : table.rows) {
@@ -91,11 +98,8 @@ Json json_of(const Table& table) {
 }
 
 Json json_of(const Provenance& program) {
-  return {{"version", program.version},
-          {"git_hash", program.git_hash},
-          {"solver", program.solver},
-          {"compiler", program.compiler},
-          {"machine", program.machine}};
+  return json_object("version", program.version, "git_hash", program.git_hash, "solver", program.solver, "compiler",
+                     program.compiler, "machine", program.machine);
 }
 
 std::string text_of(const Json& json, int indent) {
