@@ -4,8 +4,10 @@
 /// The readers of files, the range check, `--set`, the columns of the database, the axes of a sweep and the labels
 /// of a chart all walk the same lists, through `visit_inputs` (scene.hpp) and `visit_outputs` (solution.hpp).
 
+#include <algorithm>
 #include <array>
 #include <compare>
+#include <iterator>
 #include <limits>
 #include <span>
 #include <string>
@@ -88,6 +90,13 @@ std::string_view name_of(Choice choice) {
 
 /// Position of `name` in `names`, or -1.
 int find_name(std::span<const std::string_view> names, std::string_view name);
+
+/// Whether a list has this value in it.
+template <class List, class Value>
+bool contains(const List& list, const Value& value) {
+  return std::find(std::begin(list), std::end(list), value) != std::end(list);
+}
+using std::ranges::all_of, std::ranges::any_of, std::ranges::none_of;  ///< of whole lists
 
 /// Whether a word is one of `words`, which have blanks between them.
 bool has_word(std::string_view words, std::string_view word);

@@ -92,9 +92,7 @@ std::vector<std::string> CopiedTable::identity() const {
   std::vector<std::string> names, all;
   for (const CopiedColumn& column : columns_) all.push_back(column.name);
   while (row.executeStep()) names.push_back(row.getColumn(0).getString());
-  const bool of_columns = std::all_of(names.begin(), names.end(), [&](const std::string& name) {
-    return std::find(all.begin(), all.end(), name) != all.end();
-  });
+  const bool of_columns = all_of(names, [&](const std::string& name) { return contains(all, name); });
   return names.empty() || !of_columns ? all : names;
 }
 

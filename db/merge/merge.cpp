@@ -162,7 +162,7 @@ class Merge {
     if (definition_of(into_, there) == definition_of(source_, here)) return true;
     const Keys kept = points_of(into_, there), other = points_of(source_, here);
     const Keys &fewer = kept.size() < other.size() ? kept : other, &more = kept.size() < other.size() ? other : kept;
-    return std::all_of(fewer.begin(), fewer.end(), [&](const std::string& key) { return more.contains(key); });
+    return all_of(fewer, [&](const std::string& key) { return more.contains(key); });
   }
 
   /// Where a study of the source belongs: a row of the destination, or a name that is free there.

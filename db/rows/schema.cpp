@@ -77,8 +77,7 @@ void add_kinematics(SQLite::Database& connection) {
 void show_as_asked(SQLite::Database& connection) {
   const std::vector<Column> present = columns_of(connection, "evaluation");
   for (const char* const key : {"load", "approach", "driving_torque", "rotation_ratio"})
-    if (std::any_of(present.begin(), present.end(),
-                    [&](const Column& column) { return column.name == input_column(key); }))
+    if (any_of(present, [&](const Column& column) { return column.name == input_column(key); }))
       connection.exec(std::string("UPDATE evaluation SET ") + key + " = given_" + key + " WHERE given_" + key +
                       " IS NOT NULL");
 }

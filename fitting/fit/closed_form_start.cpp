@@ -56,8 +56,7 @@ std::vector<MeasuredScene> known_by_closed_forms(const std::vector<MeasuredScene
 }
 
 bool concerns_any(const FittedInput& input, const std::vector<MeasuredScene>& scenes) {
-  return std::any_of(scenes.begin(), scenes.end(),
-                     [&](const MeasuredScene& row) { return input.set.empty() || input.set == row.set; });
+  return any_of(scenes, [&](const MeasuredScene& row) { return input.set.empty() || input.set == row.set; });
 }
 
 }  // namespace
@@ -81,7 +80,7 @@ std::vector<FittedInput> with_closed_form_starts(const std::vector<MeasuredScene
                                                  std::vector<FittedInput> inputs, std::string_view output) {
   const std::vector<MeasuredScene> scenes = known_by_closed_forms(given, output);
   const auto wanted = [](const FittedInput& input) { return !input.start && has_closed_form_start(input.input.key); };
-  if (scenes.empty() || std::none_of(inputs.begin(), inputs.end(), wanted)) return inputs;
+  if (scenes.empty() || none_of(inputs, wanted)) return inputs;
   const Evaluate estimate = [](const RollingScene& scene) {
     RollingSolution solution;
     solution.rolling_resistance = estimated_resistance(scene);
@@ -125,7 +124,7 @@ std::vector<FittedInput> with_closed_form_starts(const std::vector<MeasuredScene
 
 void add_closed_forms(FitProblem& problem, const std::vector<MeasuredScene>& scenes,
                       const std::vector<FittedInput>& inputs, std::string_view output) {
-  const bool one_layer = std::all_of(scenes.begin(), scenes.end(), [](const MeasuredScene& row) {
+  const bool one_layer = all_of(scenes, [](const MeasuredScene& row) {
     return row.scene.coating_layers.empty() && row.scene.lower_layers.empty();
   });
   const std::size_t known = known_by_closed_forms(scenes, output).size();

@@ -128,16 +128,13 @@ std::vector<FitPoint> starts_of(const FitProblem& given, const FitOptions& optio
   std::vector<FitPoint> starts;
   for (const Candidate& candidate : candidates) {
     if (std::ssize(starts) == options.starts) break;
-    if (std::none_of(starts.begin(), starts.end(),
-                     [&](const FitPoint& start) { return beside(problem, start, candidate.point, twice); }))
+    if (none_of(starts, [&](const FitPoint& start) { return beside(problem, start, candidate.point, twice); }))
       starts.push_back(candidate.point);
   }
   // Who gives a start knows something: closed forms may have led all others to another least misfit.
   const FitPoint own = start_point(given);
-  const bool answered =
-      std::any_of(candidates.begin(), candidates.end(), [&](const Candidate& one) { return one.point == own; });
-  if (answered && std::none_of(starts.begin(), starts.end(),
-                               [&](const FitPoint& start) { return beside(problem, start, own, twice); })) {
+  const bool answered = any_of(candidates, [&](const Candidate& one) { return one.point == own; });
+  if (answered && none_of(starts, [&](const FitPoint& start) { return beside(problem, start, own, twice); })) {
     if (std::ssize(starts) == options.starts) starts.pop_back();
     starts.push_back(own);
   }

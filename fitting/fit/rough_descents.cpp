@@ -242,7 +242,7 @@ std::vector<std::size_t> with_unanswered(std::vector<std::size_t> rows, const De
   std::size_t added = 0;
   for (Eigen::Index i = 0; i < descent.prediction.values.size() && added < most; ++i) {
     const auto row = static_cast<std::size_t>(i);
-    if (std::isfinite(descent.prediction.values[i]) || std::find(rows.begin(), rows.end(), row) != rows.end()) continue;
+    if (std::isfinite(descent.prediction.values[i]) || contains(rows, row)) continue;
     rows.push_back(row);
     ++added;
   }

@@ -150,8 +150,7 @@ MaterialFit fit_material(const std::vector<MeasuredModulus>& data, const Materia
   const auto same = [&](const MeasuredModulus& row) {
     return row.angular_frequency == data.front().angular_frequency && row.temperature == data.front().temperature;
   };
-  if (std::all_of(data.begin(), data.end(), same))
-    throw std::invalid_argument("the moduli are all at one frequency: too few for a material");
+  if (all_of(data, same)) throw std::invalid_argument("the moduli are all at one frequency: too few for a material");
   MaterialFitOptions wanted = options;
   if (options.free_shifts) {
     wanted.shift.law = ShiftLaw::table;

@@ -1,4 +1,3 @@
-#include <algorithm>
 #include <ostream>
 #include <stdexcept>
 
@@ -38,8 +37,7 @@ std::vector<std::string> names_of(const std::vector<std::string>& files) {
   for (const std::string& file : files) {
     const std::string stem = std::filesystem::path(file).stem().string();
     std::string name = stem;
-    for (int number = 2; std::find(names.begin(), names.end(), name) != names.end(); ++number)
-      name = stem + "_" + std::to_string(number);
+    for (int number = 2; contains(names, name); ++number) name = stem + "_" + std::to_string(number);
     names.push_back(name);
   }
   return names;

@@ -1,4 +1,3 @@
-#include <algorithm>
 #include <ostream>
 #include <stdexcept>
 
@@ -109,7 +108,7 @@ std::string fit_meant(const ChartArguments& arguments, ResultStore& store) {
   const std::vector<FitSummary> fits = stored_fits(store.database());
   if (arguments.studies.empty()) return store.study_names().empty() && fits.size() == 1 ? fits.front().name : "";
   const std::string& name = arguments.studies.front();
-  const bool is_fit = std::any_of(fits.begin(), fits.end(), [&](const FitSummary& fit) { return fit.name == name; });
+  const bool is_fit = any_of(fits, [&](const FitSummary& fit) { return fit.name == name; });
   return is_fit && !store.definition(name) ? name : "";
 }
 

@@ -1,4 +1,3 @@
-#include <algorithm>
 #include <ostream>
 #include <stdexcept>
 
@@ -47,7 +46,7 @@ std::string store_front(ResultStore& store, std::span<const DesignProblem> probl
   for (const ParetoPoint& point : front.points)
     if (point.report.best && !point.dominated)
       for (const std::string& key : point.report.best->keys)
-        if (std::find(keys.begin(), keys.end(), key) == keys.end()) {
+        if (!contains(keys, key)) {
           keys.push_back(key);
           variants.push_back(problems[point.choice].variant());
         }

@@ -26,10 +26,8 @@ std::vector<std::string> usual_outputs(const Study& study) {
   const std::vector<std::string_view> numbers = number_outputs();
   std::vector<std::string> outputs;
   const auto add = [&](const std::string& key) {
-    const bool formula =
-        std::any_of(study.formulas.begin(), study.formulas.end(), [&](const auto& one) { return one.first == key; });
-    if ((formula || find_name(numbers, key) >= 0) && std::find(outputs.begin(), outputs.end(), key) == outputs.end())
-      outputs.push_back(key);
+    const bool formula = any_of(study.formulas, [&](const auto& one) { return one.first == key; });
+    if ((formula || find_name(numbers, key) >= 0) && !contains(outputs, key)) outputs.push_back(key);
   };
   for (const std::string& key : study.compute) add(key);
   for (const StudyChart& chart : study.charts) add(chart.y);

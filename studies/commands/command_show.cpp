@@ -1,4 +1,3 @@
-#include <algorithm>
 #include <charconv>
 #include <ostream>
 
@@ -50,7 +49,7 @@ void list(const ListArguments& arguments, Session& session) {
   }
   if (studies.empty()) return write_aligned(session.out, fits);
   Table table{{"study", "points", "answered", "failed", "created (UTC)", "last result (UTC)", "axes"}, {}};
-  const bool noted = std::any_of(studies.begin(), studies.end(), [](const auto& study) { return !study.note.empty(); });
+  const bool noted = any_of(studies, [](const auto& study) { return !study.note.empty(); });
   if (noted) table.columns.emplace_back("note");
   for (const StudySummary& study : studies) {
     table.rows.push_back({study.name, study.points, study.answered, study.failed, to_the_second(study.created),
@@ -92,9 +91,8 @@ std::string take_constants(Table& table, std::size_t first, const std::vector<st
   for (std::size_t i = table.columns.size(); table.rows.size() > 1 && i-- > first;) {
     const std::string name = table.columns[i].substr(0, table.columns[i].rfind(" ["));
     const Cell& value = table.rows.front()[i];
-    const bool same =
-        std::all_of(table.rows.begin(), table.rows.end(), [&](const auto& row) { return row[i] == value; });
-    if (!same || std::find(asked.begin(), asked.end(), name) != asked.end()) continue;
+    const bool same = all_of(table.rows, [&](const auto& row) { return row[i] == value; });
+    if (!same || contains(asked, name)) continue;
     if (!std::holds_alternative<std::monostate>(value))
       constants = name + " = " + with_unit_of(table.columns[i], value) + (constants.empty() ? "" : ", ") + constants;
     table.columns.erase(table.columns.begin() + static_cast<std::ptrdiff_t>(i));
@@ -109,7 +107,7 @@ constexpr std::int64_t most_designs = 20;
 /// goals are not stored. @param names  of the columns
 std::vector<std::string> best_first(ResultStore& store, const StudySummary& study,
                                     const std::vector<std::string>& names) {
-  const auto has = [&](const char* name) { return std::find(names.begin(), names.end(), name) != names.end(); };
+  const auto has = [&](const char* name) { return contains(names, name); };
   if (!has("goal") || !has("feasible")) return {};
   const Json file = parse_object(store.definition(study.name).value_or("{}"), store.database().name());
   std::vector<std::string> sort{"-feasible", file.contains("maximise") ? "-goal" : "goal"};
@@ -124,7 +122,7 @@ void show_study(const ShowArguments& arguments, ResultStore& store, const StudyS
   Query query{.filters = {{"study", Comparison::equal, study.name}}, .columns = {"position", "id"}};
   std::vector<std::string> names = query.columns;
   const auto add = [&](const std::string& column, const std::string& name) {
-    if (std::find(names.begin(), names.end(), name) != names.end()) return;
+    if (contains(names, name)) return;
     query.columns.push_back(column);
     names.push_back(name);
   };

@@ -173,8 +173,7 @@ void relate(const StabilityArguments& arguments, Session& session) {
                   << '\n';
   }
   if (report.interrupted) session.err << "interrupted: only part of the scenes was solved\n";
-  if (report.interrupted || std::any_of(report.trials.begin(), report.trials.end(), is_broken))
-    session.status = ExitStatus::no_answer;
+  if (report.interrupted || any_of(report.trials, is_broken)) session.status = ExitStatus::no_answer;
 }
 
 void stability(const StabilityArguments& arguments, Session& session) {
@@ -214,9 +213,8 @@ void stability(const StabilityArguments& arguments, Session& session) {
                   << '\n';
   }
   if (report.interrupted) session.err << "interrupted: only part of the scenes was solved\n";
-  const bool bad = std::any_of(all.begin(), all.end(), [](const StabilityCount& count) {
-    return count[Outcome::wrong] + count[Outcome::crashed] > 0;
-  });
+  const bool bad =
+      any_of(all, [](const StabilityCount& count) { return count[Outcome::wrong] + count[Outcome::crashed] > 0; });
   if (bad || report.interrupted) session.status = ExitStatus::no_answer;
 }
 

@@ -54,7 +54,7 @@ Table summary_of(const std::vector<VerificationRow>& rows) {
   Table table{{"source", "checks", "pass", "closest to its tolerance", "difference", "tolerance"}, {}};
   std::vector<std::string> sources;
   for (const VerificationRow& row : rows)
-    if (std::find(sources.begin(), sources.end(), row.source) == sources.end()) sources.push_back(row.source);
+    if (!contains(sources, row.source)) sources.push_back(row.source);
   for (const std::string& source : sources) {
     std::int64_t checks = 0, passed = 0;
     const VerificationRow* closest = nullptr;

@@ -61,9 +61,8 @@ std::vector<PeakValue> peak_values(const ChartRequest& request, const ChartSpans
       const LabelBox box{x, y, half_width, 0.04};
       const bool inside = box.y - box.half_height > 0 && box.y + box.half_height < 1.02 &&
                           box.x - box.half_width > -0.02 && box.x + box.half_width < 1.02;
-      if (!inside || std::any_of(taken.begin(), taken.end(), [&](const LabelBox& other) { return box.meets(other); }) ||
-          std::any_of(request.curves.begin(), request.curves.end(),
-                      [&](const ChartCurve& curve) { return box.meets(curve, layout); }))
+      if (!inside || any_of(taken, [&](const LabelBox& other) { return box.meets(other); }) ||
+          any_of(request.curves, [&](const ChartCurve& curve) { return box.meets(curve, layout); }))
         continue;
       values.push_back({i, top, value, box});
       taken.push_back(box);

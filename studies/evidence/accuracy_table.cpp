@@ -134,7 +134,7 @@ std::vector<std::string> notes(const AccuracyReport& report) {
       return other.method == point.method && other.status == point.status &&
              (other.spacing > point.spacing || other.tolerance > point.tolerance);
     };
-    if (std::any_of(report.points.begin(), report.points.end(), same)) continue;
+    if (any_of(report.points, same)) continue;
     lines.push_back(std::string(name_of(point.method)) + " at " + place_in_words(point.spacing, point.tolerance) +
                     ": " + std::string(name_of(point.status)) + ": " + point.reason);
   }

@@ -75,8 +75,7 @@ std::vector<JudgedNumbers> judged_ways(const RandomScene& random, double referen
     numbers.error_estimate = solution.error_estimate;
     numbers.error = solution.rolling_resistance;  // until there is a reference
   }
-  const bool any = std::any_of(judged.begin(), judged.end(),
-                               [](const JudgedNumbers& numbers) { return numbers.status == Status::converged; });
+  const bool any = any_of(judged, [](const JudgedNumbers& numbers) { return numbers.status == Status::converged; });
   const RollingSolution reference = any ? reference_of(random, reference_tolerance, evaluate) : RollingSolution();
   for (JudgedNumbers& numbers : judged) {
     const bool known = reference.status == Status::converged;

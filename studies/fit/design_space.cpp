@@ -130,7 +130,7 @@ void search_space(const DesignSpace& space, const RatePlaces& rate) {
   std::vector<Start> taken;
   for (const Start& start : starts) {
     if (taken.size() == most) break;
-    if (std::any_of(taken.begin(), taken.end(), [&](const Start& other) {
+    if (any_of(taken, [&](const Start& other) {
           return other.set == start.set && (other.place - start.place).norm() < apart;
         }))
       continue;

@@ -16,8 +16,7 @@ namespace rollres {
 namespace {
 
 bool is_fitted(const FitFile& fit, const std::string& key) {
-  return std::any_of(fit.inputs.begin(), fit.inputs.end(),
-                     [&](const FittedInput& input) { return input.input.key == key; });
+  return any_of(fit.inputs, [&](const FittedInput& input) { return input.input.key == key; });
 }
 
 /// A real input of the scene that is not fitted.

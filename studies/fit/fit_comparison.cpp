@@ -88,11 +88,11 @@ bool is_case_of(ShiftLaw small, ShiftLaw large) {
 /// Whether the scenes of one fit are those of another with its inputs at some values.
 bool is_case_of(const FitFile& small, const FitFile& large) {
   const auto fits = [&](const FittedInput& input) {
-    return std::any_of(large.inputs.begin(), large.inputs.end(), [&](const FittedInput& other) {
+    return any_of(large.inputs, [&](const FittedInput& other) {
       return other.input.key == input.input.key && (other.set.empty() || other.set == input.set);
     });
   };
-  if (!std::all_of(small.inputs.begin(), small.inputs.end(), fits)) return false;
+  if (!all_of(small.inputs, fits)) return false;
   for (std::size_t row = 0; row < small.scenes.size(); ++row) {
     RollingScene scene = small.scenes[row].scene;
     for (const FittedInput& input : large.inputs)
@@ -197,8 +197,7 @@ std::optional<LargestDifference> next_difference(const FitCandidate& a, const Fi
   const DesignSpace other = design_space(*b.resistance);
   for (const FitFile* const file : {&*a.resistance, &*b.resistance})
     std::erase_if(space.ranges, [&](const DesignRange& range) {
-      return std::any_of(file->inputs.begin(), file->inputs.end(),
-                         [&](const FittedInput& input) { return input.input.key == range.key; });
+      return any_of(file->inputs, [&](const FittedInput& input) { return input.input.key == range.key; });
     });
   if (space.empty() || !slopes_known(a) || !slopes_known(b)) return std::nullopt;
   const auto of_other = [&](const MeasuredScene& scene) {
@@ -243,7 +242,7 @@ std::optional<LargestDifference> next_difference(const FitCandidate& a, const Fi
 
 FitComparison compare(const std::vector<FitCandidate>& fits, const Evaluate& evaluate, int jobs) {
   for (const FitCandidate& fit : fits) require_comparable(fits.front(), fit);
-  const bool any_noise = std::any_of(fits.begin(), fits.end(), has_fitted_noise);
+  const bool any_noise = any_of(fits, has_fitted_noise);
   FitComparison answer;
   std::vector<std::size_t> order;
   for (const FitCandidate& fit : fits) {

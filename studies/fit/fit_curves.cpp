@@ -19,7 +19,7 @@ bool is_number(const std::string& key) { return find_input(key)->choices.empty()
 
 std::string horizontal(const FitFile& file) {
   const auto& varying = file.varying;
-  if (varying.empty() || std::find(varying.begin(), varying.end(), "speed") != varying.end()) return "speed";
+  if (varying.empty() || contains(varying, "speed")) return "speed";
   const auto found = std::find_if(varying.begin(), varying.end(), is_number);
   return found == varying.end() ? "speed" : *found;
 }
@@ -27,9 +27,7 @@ std::string horizontal(const FitFile& file) {
 /// "P = 20 kN/m, R = 0.1 m", with the data set where there are several.
 std::string label_of(const FitFile& file, const MeasuredScene& row, const std::string& x) {
   std::vector<std::string> parts;
-  if (std::any_of(file.scenes.begin(), file.scenes.end(),
-                  [&](const MeasuredScene& other) { return other.set != row.set; }))
-    parts.push_back(row.set);
+  if (any_of(file.scenes, [&](const MeasuredScene& other) { return other.set != row.set; })) parts.push_back(row.set);
   for (const std::string& key : file.varying) {
     if (key == x || !is_number(key)) continue;
     const Quantity& quantity = find_input(key)->quantity;

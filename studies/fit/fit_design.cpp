@@ -73,7 +73,7 @@ class Rating {
 /// Choices at the ends of the ranges may come several times.
 void drop_repeated(MeasurementPlan& plan, const DesignSpace& space) {
   const auto same = [&](const DesignChoice& a, const DesignChoice& b) {
-    return a.set == b.set && std::all_of(space.ranges.begin(), space.ranges.end(), [&](const DesignRange& range) {
+    return a.set == b.set && all_of(space.ranges, [&](const DesignRange& range) {
              return real_input(a.scene, range.key) == real_input(b.scene, range.key);
            });
   };
@@ -87,7 +87,7 @@ std::vector<std::size_t> best_apart(const MeasurementPlan& plan, const DesignSpa
   std::vector<std::size_t> best;
   for (std::size_t i = 0; i < plan.choices.size() && best.size() < best_shown; ++i) {
     const Eigen::VectorXd here = place_of(space, plan.choices[i].scene);
-    if (std::none_of(best.begin(), best.end(), [&](std::size_t other) {
+    if (none_of(best, [&](std::size_t other) {
           return plan.choices[other].set == plan.choices[i].set &&
                  (place_of(space, plan.choices[other].scene) - here).norm() < apart;
         }))

@@ -250,14 +250,13 @@ FitFile read_fit(const std::filesystem::path& file) {
   }
   warn_of_equal_weights(fit);
   for (const GivenParameter& parameter : given) {
-    if (std::find(fit.varying.begin(), fit.varying.end(), parameter.key) != fit.varying.end())
+    if (contains(fit.varying, parameter.key))
       throw std::invalid_argument(parameter.place + ": is a column of the data too");
-    if (std::any_of(fit.inputs.begin(), fit.inputs.end(), [&](const FittedInput& other) {
+    if (any_of(fit.inputs, [&](const FittedInput& other) {
           return other.input.key == parameter.key && other.set == parameter.set;
         }))
       throw std::invalid_argument(parameter.place + ": is given twice");
-    if (!parameter.set.empty() &&
-        std::none_of(sets.begin(), sets.end(), [&](const GivenSet& set) { return set.name == parameter.set; }))
+    if (!parameter.set.empty() && none_of(sets, [&](const GivenSet& set) { return set.name == parameter.set; }))
       throw std::invalid_argument(parameter.place + ": data = \"" + parameter.set + "\": no data set of that name");
     if (is_noise_term(parameter.key)) continue;
     FittedInput input{{parameter.key}, {}, parameter.set};

@@ -1,6 +1,5 @@
 #include "studies/fit/fitted_scene.hpp"
 
-#include <algorithm>
 #include <array>
 
 #include "fitting/fit/measured_terms.hpp"
@@ -24,7 +23,7 @@ void add_units(Json& inputs) {
     if (!kind || kind->layers) continue;
     if (value.is_number()) value = written_input(kind->quantity, value.get<double>());
     const auto is_number = [](const Json& one) { return one.is_number(); };
-    if (value.is_array() && std::all_of(value.begin(), value.end(), is_number))
+    if (value.is_array() && all_of(value, is_number))
       value = written_input(kind->quantity, value.get<std::vector<double>>());
   }
 }

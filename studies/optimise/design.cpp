@@ -124,7 +124,7 @@ std::string DesignProblem::in_words(const ChosenValue& value) const {
 }
 
 bool Design::feasible() const {
-  return found() && std::all_of(constraints.begin(), constraints.end(), [](const auto& sides) { return sides.holds; });
+  return found() && all_of(constraints, [](const auto& sides) { return sides.holds; });
 }
 
 std::vector<RollingScene> scenes_at(const DesignProblem& problem, std::span<const double> point) {

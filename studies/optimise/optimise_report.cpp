@@ -106,9 +106,7 @@ Table front_table(std::span<const DesignProblem> problems, const ParetoReport& f
   Table table{{"front"}, {}};
   for (const ChosenValue& chosen : problem.chosen) table.columns.push_back(chosen.key);
   table.columns.push_back(problem.goal.formula.text());
-  const auto shown_already = [&](std::string_view name) {
-    return std::find(table.columns.begin(), table.columns.end(), name) != table.columns.end();
-  };
+  const auto shown_already = [&](std::string_view name) { return contains(table.columns, name); };
   const bool second = !shown_already(problem.pareto->goal.formula.text());
   if (second) table.columns.push_back(problem.pareto->goal.formula.text());
   std::vector<std::size_t> variables;  // that are no goals

@@ -38,9 +38,8 @@ bool varies(const FitPredictions& predictions, const std::string& key) {
 }
 
 std::string as_in_words(const FitRecord& fit, PredictedAs as) {
-  const bool terms = std::any_of(fit.parameters.begin(), fit.parameters.end(), [](const FitParameterRecord& one) {
-    return is_measured_term(parameter_name(one.name).key);
-  });
+  const bool terms = any_of(
+      fit.parameters, [](const FitParameterRecord& one) { return is_measured_term(parameter_name(one.name).key); });
   if (as == PredictedAs::true_value) return terms ? "the true value, without offset and scale" : "the true value";
   if (as == PredictedAs::reading) return "the reading, with offset and scale";
   return "one more measurement, with its noise";
@@ -114,8 +113,7 @@ std::string prediction_summary(const FitRecord& fit, const FitPredictions& predi
   Table table{predictions.asked.inputs, {}};
   table.columns.insert(table.columns.end(), {predictions.asked.output, "+-", "95 %"});
   const std::vector<AskedScene>& asked = predictions.asked.scenes;
-  const bool measured =
-      std::any_of(asked.begin(), asked.end(), [](const AskedScene& one) { return std::isfinite(one.measured); });
+  const bool measured = any_of(asked, [](const AskedScene& one) { return std::isfinite(one.measured); });
   if (measured) table.columns.emplace_back("measured");
   for (std::size_t i = 0; i < asked.size(); ++i) {
     std::vector<Cell>& row = table.rows.emplace_back();

@@ -135,7 +135,7 @@ void Command::refuse_unknown_options(std::span<const std::string> words) const {
   for (const std::string& word : words) {
     if (word == "--") return;
     const std::string name = word.substr(0, word.find('='));
-    if (!name.starts_with("--") || std::find(names.begin(), names.end(), name) != names.end()) continue;
+    if (!name.starts_with("--") || contains(names, name)) continue;
     throw std::invalid_argument(
         unknown(name + ": unknown option of " + this->name(), names, name, "see rollres help " + this->name()));
   }

@@ -74,7 +74,7 @@ void refuse_unknown_command(const Command& program, const std::vector<std::strin
   if (words.empty() || words.front().empty() || words.front().front() == '-') return;
   std::vector<std::string> names;
   for (const auto& command : program.subcommands()) names.push_back(command->name());
-  if (std::find(names.begin(), names.end(), words.front()) != names.end()) return;
+  if (contains(names, words.front())) return;
   throw std::invalid_argument(unknown(words.front() + ": unknown command", names, words.front(), "see rollres --help"));
 }
 

@@ -23,9 +23,7 @@ const std::map<std::string_view, std::string_view> scripts{
 #include "completion_scripts.inc"
 };
 
-bool has(std::span<const std::string_view> names, std::string_view name) {
-  return std::find(names.begin(), names.end(), name) != names.end();
-}
+bool has(std::span<const std::string_view> names, std::string_view name) { return contains(names, name); }
 
 struct Completion {
   std::string kind = "words";
@@ -47,7 +45,7 @@ std::vector<std::string> all_keys() {
   std::vector<std::string> keys = keys_of_inputs();
   const RollingSolution solution;
   visit_outputs(solution, [&](const Quantity& quantity, const auto&) {
-    if (std::find(keys.begin(), keys.end(), quantity.key) == keys.end()) keys.emplace_back(quantity.key);
+    if (!contains(keys, quantity.key)) keys.emplace_back(quantity.key);
   });
   return keys;
 }
@@ -165,8 +163,7 @@ Completion names_of(const CommandWords& command) {
 
 const OptionWords* find_option(const CommandWords& command, const std::string& name) {
   for (const OptionWords& option : command.options)
-    if (!option.positional && std::find(option.names.begin(), option.names.end(), name) != option.names.end())
-      return &option;
+    if (!option.positional && contains(option.names, name)) return &option;
   return nullptr;
 }
 

@@ -15,8 +15,7 @@ std::vector<RelationTrial> planned(const RelationPlan& plan) {
   std::vector<RelationTrial> trials;
   for (std::size_t number = 0; number < std::max(plan.cylinders, plan.spheres); ++number)
     for (std::size_t relation = 0; relation < relations().size(); ++relation) {
-      const bool asked =
-          std::find(plan.names.begin(), plan.names.end(), relations()[relation].name) != plan.names.end();
+      const bool asked = contains(plan.names, relations()[relation].name);
       if (!plan.names.empty() && !asked) continue;
       if (number < plan.cylinders) trials.push_back({relation, Indenter::cylinder, number});
       if (number < plan.spheres && relations()[relation].of_spheres)

@@ -51,8 +51,7 @@ std::vector<RollingScene> scenes_of_curves(const ReportSource& source) {
     const auto answer = source.store.find(keys[i]);
     if (!answer || !is_measured_curve(answer->scene.material)) continue;
     const RollingScene& scene = answer->scene;
-    if (std::none_of(found.begin(), found.end(),
-                     [&](const RollingScene& other) { return measured_curve(other) == measured_curve(scene); }))
+    if (none_of(found, [&](const RollingScene& other) { return measured_curve(other) == measured_curve(scene); }))
       found.push_back(scene);
   }
   return found;

@@ -299,7 +299,7 @@ PictureSection chart_section(const ReportSource& study, const ReportOptions& opt
   const ScatteredResistance scattered(source);
   add_scatter(source, scattered, pictures);
   const auto& charts = source.definition.charts;
-  const bool mapped = std::any_of(charts.begin(), charts.end(), [](const auto& chart) { return !chart.map.empty(); });
+  const bool mapped = any_of(charts, [](const auto& chart) { return !chart.map.empty(); });
   if (!mapped || !options.optimum.empty()) add_map(source, options, pictures);
   return {html::heading("Charts") + pictures.html() + refusal + scatter_table(source, scattered), pictures.count()};
 }

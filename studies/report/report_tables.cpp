@@ -86,7 +86,7 @@ std::vector<ResultColumn> result_columns(const ReportSource& source) {
   constexpr std::size_t most = 9;
   std::vector<ResultColumn> columns;
   const auto add = [&](const QuantityColumn& column) {
-    const bool there = std::any_of(columns.begin(), columns.end(), [&](const auto& c) { return c.column == &column; });
+    const bool there = any_of(columns, [&](const auto& c) { return c.column == &column; });
     if (!there && columns.size() < most) columns.emplace_back(source, column);
   };
   for (const QuantityColumn* const axis : source.varied()) add(*axis);
@@ -156,7 +156,7 @@ std::string scene_section(const ReportSource& source) {
       constexpr std::size_t few = 8;
       const std::string list = values.size() <= few ? joined(values, ", ", shown)
                                                     : shown(*values.begin()) + " to " + shown(*values.rbegin());
-      const bool axis = std::find(varied.begin(), varied.end(), &column) != varied.end();
+      const bool axis = contains(varied, &column);
       axes.push_back({{key, symbol, list, std::to_string(values.size()), axis ? meaning : meaning + " (follows)"}});
       continue;
     }
@@ -164,7 +164,7 @@ std::string scene_section(const ReportSource& source) {
     const InputKind* const kind = find_input(q.key);
     if (std::holds_alternative<std::monostate>(value)) continue;
     if (kind && at_default(value, *kind) &&
-        std::all_of(scenes.begin(), scenes.end(), [&](const RollingScene& scene) { return is_idle(scene, q.key); }))
+        all_of(scenes, [&](const RollingScene& scene) { return is_idle(scene, q.key); }))
       continue;
     if (kind && at_default(value, *kind) && !q.symbol.empty() && q.unit != "1")
       inputs.push_back({{key, symbol, shown(value), meaning}});

@@ -173,8 +173,7 @@ SweepReport run_sweep(const Study& study, const Evaluate& solve_one, const std::
     known.push_back(state.answer != Answer::missing && !old.contains(keys[known.size()]));
   }
 
-  const bool width_varies =
-      std::any_of(study.axes.begin(), study.axes.end(), [](const Axis& axis) { return axis.key == "width"; });
+  const bool width_varies = any_of(study.axes, [](const Axis& axis) { return axis.key == "width"; });
   const Evaluate evaluate = width_varies && options.fields == Fields::dropped ? once_for_widths(solve_one) : solve_one;
   Run run;
   run.stop_from_outside = options.stop;

@@ -142,7 +142,7 @@ std::vector<FormulaToken> tokens_of(std::string_view text) {
 }
 
 bool is_one_of(const FormulaToken& token, std::initializer_list<std::string_view> texts) {
-  return std::find(texts.begin(), texts.end(), token.text) != texts.end();
+  return contains(texts, token.text);
 }
 
 }  // namespace

@@ -224,7 +224,7 @@ struct Formula::Parts {
     for (std::size_t i = 0; i < constants.size(); ++i)
       constant_values[i] = constants[i].value * (factors.empty() ? 1 : factors[i]);
     std::transform(keys.begin(), keys.end(), values.begin(), number_of_key);
-    const bool absent = std::any_of(values.begin(), values.end(), [](double one) { return std::isnan(one); });
+    const bool absent = any_of(values, [](double one) { return std::isnan(one); });
     return absent ? RollingSolution::absent : parser.Eval();
   }
 };

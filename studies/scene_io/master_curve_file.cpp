@@ -341,8 +341,7 @@ std::vector<TablePart> parts_with_tables(Json& scene) {
   if (!scene.is_object()) return {};
   std::vector<TablePart> parts;
   const auto add = [&](Json& object, const std::string& prefix) {
-    if (std::any_of(table_keys.begin(), table_keys.end(),
-                    [&](std::string_view key) { return object.contains(std::string(key)); }))
+    if (any_of(table_keys, [&](std::string_view key) { return object.contains(std::string(key)); }))
       parts.push_back({&object, prefix});
   };
   add(scene, "");

@@ -171,7 +171,7 @@ void refuse_unknown_key(const SceneEntry& entry) {
 
 void add_entry(std::vector<SceneEntry>& entries, const SceneEntry& given) {
   SceneEntry held = held_entry(given);
-  if (std::any_of(entries.begin(), entries.end(), [&](const SceneEntry& other) { return other.key == held.key; }))
+  if (any_of(entries, [&](const SceneEntry& other) { return other.key == held.key; }))
     refuse(given.place, given.key, given.value, given_again(held.key));
   entries.push_back(std::move(held));
 }

@@ -170,8 +170,7 @@ Json without_replaced_tables(Json object, const std::vector<std::string>& words)
         if (const auto said = value_in(words, part.prefix + std::string(listed_moduli_key)))
           (*part.object)[std::string(listed_moduli_key)] = *said;
       }
-    if (any && std::none_of(table_keys.begin(), table_keys.end(), named))
-      part.object->erase(std::string(ignored_columns_key));
+    if (any && none_of(table_keys, named)) part.object->erase(std::string(ignored_columns_key));
   }
   return object;
 }

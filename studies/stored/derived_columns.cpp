@@ -42,7 +42,7 @@ FormulaDefinitions formulas_in(const Database& database, const std::vector<Filte
     return !name.empty() && !find_quantity_column(name) && find_name(others, name) < 0 &&
            (is_goal(name) || find_name(point_columns, name) < 0);
   };
-  if (std::none_of(names.begin(), names.end(), unknown_column)) return {};
+  if (none_of(names, unknown_column)) return {};
   FormulaDefinitions formulas;
   std::map<std::string, std::string> study_of;
   for (const auto& row : run_sql(database, "SELECT name, definition FROM study ORDER BY name").rows) {
@@ -50,14 +50,13 @@ FormulaDefinitions formulas_in(const Database& database, const std::vector<Filte
     const auto is_named = [](const Filter& one) {
       return one.column == "study" && one.comparison == Comparison::equal;
     };
-    const bool any = std::any_of(filters.begin(), filters.end(), is_named);
-    const bool asked = std::any_of(filters.begin(), filters.end(),
-                                   [&](const Filter& one) { return is_named(one) && one.value == study; });
+    const bool any = any_of(filters, is_named);
+    const bool asked = any_of(filters, [&](const Filter& one) { return is_named(one) && one.value == study; });
     if (any && !asked) continue;
     StudyDefinition definition = definition_in(std::get<std::string>(row[1]), database.name() + ": " + study);
     definition.formulas.insert(definition.formulas.end(), definition.goals.begin(), definition.goals.end());
     for (auto& [name, formula] : definition.formulas) {
-      if (std::find(names.begin(), names.end(), name) == names.end()) continue;
+      if (!contains(names, name)) continue;
       const auto same =
           std::find_if(formulas.begin(), formulas.end(), [&](const auto& one) { return one.first == name; });
       if (same == formulas.end())

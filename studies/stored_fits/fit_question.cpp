@@ -37,8 +37,8 @@ Quantity quantity_of(const OfParameter& of) {
 
 void drop_empty(Table& table, const std::vector<StoredParameter>& parameters) {
   for (std::size_t i = table.columns.size(); i-- > 0;) {
-    const bool empty = std::all_of(table.rows.begin(), table.rows.end(),
-                                   [&](const auto& row) { return std::holds_alternative<std::monostate>(row[i]); });
+    const bool empty =
+        all_of(table.rows, [&](const auto& row) { return std::holds_alternative<std::monostate>(row[i]); });
     if (!empty || !parameter_of(parameters, table.columns[i]).parameter) continue;
     table.columns.erase(table.columns.begin() + static_cast<std::ptrdiff_t>(i));
     for (auto& row : table.rows) row.erase(row.begin() + static_cast<std::ptrdiff_t>(i));
@@ -93,8 +93,7 @@ ShownFits shown_fits(const Database& database, Query query, ShownUnits units) {
   if (chosen) {
     query.columns = {"name", "status", "values", "reduced_chi_squared"};
     const auto add = [&](const std::string& name) {
-      if (std::find(query.columns.begin(), query.columns.end(), name) == query.columns.end())
-        query.columns.push_back(name);
+      if (!contains(query.columns, name)) query.columns.push_back(name);
     };
     for (const Filter& filter : query.filters)
       if (filter.comparison != Comparison::equal) add(filter.column);

@@ -25,8 +25,7 @@ bool is_estimated(const FitParameterRecord& one) { return !one.fixed || std::isf
 
 /// Terms of the noise stand among the parameters, fixed and with an error.
 bool has_fitted_noise(const FitRecord& fit) {
-  return std::any_of(fit.parameters.begin(), fit.parameters.end(),
-                     [](const auto& one) { return one.fixed && is_estimated(one); });
+  return any_of(fit.parameters, [](const auto& one) { return one.fixed && is_estimated(one); });
 }
 
 bool same_data(const FitRecord& a, const FitRecord& b) {
@@ -83,13 +82,11 @@ Json parameter_json(const FitParameterRecord& one) {
 }  // namespace
 
 bool StoredComparison::agree() const {
-  return !parameters.empty() &&
-         std::all_of(parameters.begin(), parameters.end(), [](const auto& one) { return one.agree(); });
+  return !parameters.empty() && all_of(parameters, [](const auto& one) { return one.agree(); });
 }
 
 bool StoredComparison::within(double relative) const {
-  return !parameters.empty() &&
-         std::all_of(parameters.begin(), parameters.end(), [&](const auto& one) { return one.relative <= relative; });
+  return !parameters.empty() && all_of(parameters, [&](const auto& one) { return one.relative <= relative; });
 }
 
 StoredComparison compare_fits(const FitRecord& first, const FitRecord& second) {

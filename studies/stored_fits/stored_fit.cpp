@@ -176,7 +176,7 @@ Table fit_parameter_table(const FitRecord& fit) {
 }
 
 std::vector<std::pair<std::string, std::string>> fit_statistics(const FitRecord& fit) {
-  const bool noise = std::any_of(fit.parameters.begin(), fit.parameters.end(), [](const auto& p) { return p.noise; });
+  const bool noise = any_of(fit.parameters, [](const auto& p) { return p.noise; });
   std::vector<std::pair<std::string, std::string>> lines{
       {"kind", fit.kind},
       {"data", std::to_string(fit.data.size()) + " values, " + std::to_string(fit.degrees) +

@@ -101,7 +101,7 @@ void refuse_never_computed(const Formula& formula, const Study& study) {
       scene.interior = Interior::on;
       return absent && why_absent(scene, key).empty();
     };
-    if (std::all_of(scenes.begin(), scenes.end(), by_interior)) refuse_absent(formula, study.base);
+    if (all_of(scenes, by_interior)) refuse_absent(formula, study.base);
   }
 }
 

@@ -139,8 +139,7 @@ TableHeading table_heading(std::string_view text) {
   if (name.empty()) throw std::invalid_argument('"' + shortened(std::string(text)) + "\": a column has no name");
   TableHeading heading{as_key(name), plain_unit(trimmed(text.substr(place.begin, place.end - place.begin))), {}};
   constexpr std::array<std::string_view, 5> of_temperature{"K", "degC", "°C", "°F", "degF"};
-  if (heading.name == "t" &&
-      std::find(of_temperature.begin(), of_temperature.end(), heading.unit) != of_temperature.end())
+  if (heading.name == "t" && contains(of_temperature, heading.unit))
     heading.name = "temperature";
   else if (heading.name == "t" && !heading.unit.empty())
     heading.name = "time";

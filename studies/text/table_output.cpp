@@ -57,8 +57,7 @@ struct WordedTable {
     for (const auto& line : lines)
       for (std::size_t i = 0; i < line.size(); ++i) widths[i] = std::max(widths[i], width(line[i]));
     for (std::size_t i = 0; i < widths.size(); ++i)
-      left.push_back(std::any_of(table.rows.begin(), table.rows.end(),
-                                 [&](const auto& row) { return std::holds_alternative<std::string>(row[i]); }));
+      left.push_back(any_of(table.rows, [&](const auto& row) { return std::holds_alternative<std::string>(row[i]); }));
   }
 
   std::string padded(const std::vector<std::string>& line, std::size_t i) const {
