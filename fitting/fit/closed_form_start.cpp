@@ -76,17 +76,22 @@ double estimated_resistance(const RollingScene& scene) {
   return coefficient * (modulus.imag() / modulus.real()) * half_width / scene.radius * *scene.load;
 }
 
+namespace {
+
+RollingSolution estimate(const RollingScene& scene) {
+  RollingSolution solution;
+  solution.rolling_resistance = estimated_resistance(scene);
+  solution.status = Status::converged;
+  return solution;
+}
+
+}  // namespace
+
 std::vector<FittedInput> with_closed_form_starts(const std::vector<MeasuredScene>& given,
                                                  std::vector<FittedInput> inputs, std::string_view output) {
   const std::vector<MeasuredScene> scenes = known_by_closed_forms(given, output);
   const auto wanted = [](const FittedInput& input) { return !input.start && has_closed_form_start(input.input.key); };
   if (scenes.empty() || none_of(inputs, wanted)) return inputs;
-  const Evaluate estimate = [](const RollingScene& scene) {
-    RollingSolution solution;
-    solution.rolling_resistance = estimated_resistance(scene);
-    solution.status = Status::converged;
-    return solution;
-  };
   // Stiffness and stiffening are hard to separate: the latter starts from its usual value.
   std::vector<MeasuredScene> usual = scenes;
   for (FittedInput& input : inputs) {
@@ -129,12 +134,6 @@ void add_closed_forms(FitProblem& problem, const std::vector<MeasuredScene>& sce
   });
   const std::size_t known = known_by_closed_forms(scenes, output).size();
   if (!one_layer || known == 0) return;
-  const Evaluate estimate = [](const RollingScene& scene) {
-    RollingSolution solution;
-    solution.rolling_resistance = estimated_resistance(scene);
-    solution.status = Status::converged;
-    return solution;
-  };
   if (known == scenes.size())
     problem.estimate =
         resistance_problem(scenes, inputs, problem.parameters, estimate, {.output = std::string(output), .jobs = 1})

@@ -105,11 +105,8 @@ void draw(ChartArguments arguments, ResultStore& store, Session& session) {
 /// The name of the fit that is meant: one of a study's name is meant by --fit alone.
 std::string fit_meant(const ChartArguments& arguments, ResultStore& store) {
   if (!arguments.fit.empty()) return arguments.fit;
-  const std::vector<FitSummary> fits = stored_fits(store.database());
-  if (arguments.studies.empty()) return store.study_names().empty() && fits.size() == 1 ? fits.front().name : "";
-  const std::string& name = arguments.studies.front();
-  const bool is_fit = any_of(fits, [&](const FitSummary& fit) { return fit.name == name; });
-  return is_fit && !store.definition(name) ? name : "";
+  const auto fit = meant_fit(store, arguments.studies.empty() ? "" : arguments.studies.front(), FitParts::without_data);
+  return fit ? fit->name : "";
 }
 
 void refuse_for_a_fit(const ChartArguments& arguments) {

@@ -206,19 +206,15 @@ void show(const ShowArguments& arguments, Session& session) {
     session.out << (arguments.json ? text_of(json_of(*fit), 2) + "\n" : fit_summary(*fit));
     return;
   }
-  if (const auto evaluation = store.find(arguments.what)) {
+  auto evaluation = store.find(arguments.what);
+  std::int64_t id = 0;
+  const char* end = arguments.what.data() + arguments.what.size();
+  if (!evaluation && std::from_chars(arguments.what.data(), end, id).ptr == end) evaluation = store.find(id);
+  if (evaluation) {
     show_evaluation(arguments, *evaluation, session);
     if (arguments.fields) export_fields(arguments, store, *evaluation, session);
     return;
   }
-  std::int64_t id = 0;
-  const char* end = arguments.what.data() + arguments.what.size();
-  if (std::from_chars(arguments.what.data(), end, id).ptr == end)
-    if (const auto evaluation = store.find(id)) {
-      show_evaluation(arguments, *evaluation, session);
-      if (arguments.fields) export_fields(arguments, store, *evaluation, session);
-      return;
-    }
   std::vector<std::string> all = store.study_names();
   for (const FitSummary& fit : stored_fits(store.database())) all.push_back(fit.name);
   throw std::invalid_argument(

@@ -22,12 +22,6 @@ namespace {
 
 constexpr double usual_reference_temperature = 293.15;  // [K]: 20 degC
 
-double relative_sigma(const Json& value, const std::string& key, const std::string& place, const char* rule) {
-  if (value.is_string())
-    if (const auto part = percentage(value.get_ref<const std::string&>()); part && *part > 0) return *part;
-  refuse(place, key, value, rule);
-}
-
 SeriesTimes given_times(const Json& object, const MaterialFitOptions& options, const std::string& place) {
   const auto times = choice_or_first<SeriesTimes>(object, "times", place);
   if (times == SeriesTimes::free && (options.terms == 0 || options.terms > most_free_terms))
@@ -36,6 +30,12 @@ SeriesTimes given_times(const Json& object, const MaterialFitOptions& options, c
 }
 
 }  // namespace
+
+double relative_sigma(const Json& value, const std::string& key, const std::string& place, const char* rule) {
+  if (value.is_string())
+    if (const auto part = percentage(value.get_ref<const std::string&>()); part && *part > 0) return *part;
+  refuse(place, key, value, rule);
+}
 
 ModulusSigmas given_modulus_sigmas(const Json& object, const std::string& place) {
   const auto found = object.find("sigma");

@@ -52,6 +52,10 @@ double given_reference_temperature(const nlohmann::ordered_json& object, const s
 std::string given_scene(const nlohmann::ordered_json& object, const std::filesystem::path& file,
                         const std::string& place);
 
+/// A relative deviation > 0, given as a percentage. @throws std::invalid_argument naming place, key, value and rule
+double relative_sigma(const nlohmann::ordered_json& value, const std::string& key, const std::string& place,
+                      const char* rule);
+
 /// Relative deviations of storage and loss moduli, 1 if none are given; what stands under "sigma".
 struct ModulusSigmas {
   bool known = false;

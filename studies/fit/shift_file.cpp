@@ -18,11 +18,8 @@ ShiftFile read_shift_fit(const std::filesystem::path& file) {
   fit.law.law = static_cast<ShiftLaw>(find_name(shift_names, name_or_first(object, "shift", law_names, place)));
   fit.options = given_descents(object, place);
   fit.scene = given_scene(object, file, place);
-  if (const auto sigma = object.find("sigma"); sigma != object.end()) {
-    const auto part = sigma->is_string() ? percentage(sigma->get_ref<const std::string&>()) : std::nullopt;
-    if (!part || !(*part > 0)) refuse(place, "sigma", *sigma, "must be a percentage > 0: \"5 %\"");
-    fit.deviation = *part;
-  }
+  if (const auto sigma = object.find("sigma"); sigma != object.end())
+    fit.deviation = relative_sigma(*sigma, "sigma", place, "must be a percentage > 0: \"5 %\"");
 
   const std::string name = needed_text(object, "data", place, "must be the name of a CSV file");
   MeasuredTable table = read_measured_table(file.parent_path() / name);

@@ -124,14 +124,24 @@ void convert_to_si(std::vector<Filter>& filters, const FormulaDefinitions& formu
       if (name == filter.column) convert_to_si(filter, derived_column(name, formula).quantity);
 }
 
-FormulaDefinitions add_derived(const Database& database, Query& query) {
-  std::vector<std::string> names = query.columns;
-  for (const std::string& text : query.sort) names.push_back(column_in(text));
+namespace {
+
+/// Adds those among these names, and those of the filters.
+template <class Question>
+FormulaDefinitions add_named(const Database& database, Question& query, std::vector<std::string> names) {
   add_filters(names, query.filters);
   const FormulaDefinitions formulas = formulas_in(database, query.filters, names);
   convert_to_si(query.filters, formulas);
   query.computed = computed_columns(without_goals(formulas));
   return formulas;
+}
+
+}  // namespace
+
+FormulaDefinitions add_derived(const Database& database, Query& query) {
+  std::vector<std::string> names = query.columns;
+  for (const std::string& text : query.sort) names.push_back(column_in(text));
+  return add_named(database, query, std::move(names));
 }
 
 FormulaDefinitions add_derived(const Database& database, GroupQuery& query) {
@@ -140,11 +150,7 @@ FormulaDefinitions add_derived(const Database& database, GroupQuery& query) {
     names.push_back(aggregate.column);
     names.push_back(aggregate.weight);
   }
-  add_filters(names, query.filters);
-  const FormulaDefinitions formulas = formulas_in(database, query.filters, names);
-  convert_to_si(query.filters, formulas);
-  query.computed = computed_columns(without_goals(formulas));
-  return formulas;
+  return add_named(database, query, std::move(names));
 }
 
 }  // namespace rollres

@@ -254,6 +254,13 @@ Table fit_table(const std::vector<FitSummary>& fits) {
   return table;
 }
 
+std::optional<FitRecord> meant_fit(ResultStore& store, std::string name, FitParts parts) {
+  if (const auto fits = stored_fits(store.database()); name.empty() && fits.size() == 1 && store.study_names().empty())
+    name = fits.front().name;
+  if (name.empty() || store.definition(name)) return std::nullopt;
+  return find_fit(store.database(), name, parts);
+}
+
 void refuse_fit(const Database& database, const std::string& name, const std::string& asked) {
   std::vector<std::string> known;
   for (const FitSummary& fit : stored_fits(database)) known.push_back(fit.name);

@@ -4,12 +4,14 @@
 /// nlohmann_json.
 
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include "db/queries/table.hpp"
 #include "db/rows/fit_store.hpp"
+#include "db/rows/result_store.hpp"
 #include "studies/text/strict_json.hpp"
 
 namespace rollres {
@@ -31,6 +33,9 @@ Json json_of(const FitRecord& fit);
 
 /// Fits as rows of a table: name, kind, status, parameters, measured values, chi squared, time.
 Table fit_table(const std::vector<FitSummary>& fits);
+
+/// The fit that a name means: one that no study bears, or without a name the only one of a database without studies.
+std::optional<FitRecord> meant_fit(ResultStore& store, std::string name, FitParts parts);
 
 /// @param asked  stands before the name: "fits.db: --fit = "
 /// @throws std::invalid_argument that the database has no fit of this name, with the nearest one

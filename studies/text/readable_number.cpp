@@ -125,12 +125,10 @@ ScaledUnit scaled_unit(std::string_view unit, double size) {
 }
 
 ScaledUnit scaled_unit_logarithmic(std::string_view unit, double smallest, double largest) {
-  if (!(smallest > 0) || !std::isfinite(largest)) return scaled_unit(unit, largest);
-  if (unit == "1" || unit.empty()) return {};
-  if (unit == "rad") return degrees();
   const Prefixed* const known = prefixed_unit(unit);
+  if (!known || !(smallest > 0) || !std::isfinite(largest)) return scaled_unit(unit, largest);
   constexpr double rounding = 1 + 1e-6, most = 1e4;
-  if (!known || (largest * rounding >= 1 && largest <= most * rounding)) return {std::string(unit), 1.0};
+  if ((largest * rounding >= 1 && largest <= most * rounding)) return {std::string(unit), 1.0};
   if (largest < 1) return scaled_unit(unit, largest * rounding);
   const double centre = 0.5 * (std::log10(smallest) + std::log10(largest)) / (3.0 * first_power(unit));
   return with_prefix(unit, std::clamp(static_cast<int>(std::lround(centre)), known->lowest, known->highest));
