@@ -27,20 +27,15 @@ constexpr double friction_margin = 0.02;
 /// The first number of an answer that must be finite and is not; empty if all are. None is missing that the scene
 /// cannot have: a cylinder has no approach to a half-space.
 std::string_view missing_number(const RollingScene& scene, const RollingSolution& solution) {
-  static constexpr std::string_view needed[] = {"rolling_resistance", "rolling_resistance_coefficient",
-                                                "driving_force",      "driving_torque",
-                                                "approach",           "load",
-                                                "leading_edge",       "trailing_edge",
-                                                "contact_area",       "mean_pressure",
-                                                "peak_pressure",      "viscous_loss",
-                                                "energy_residual",    "law_violation"};
-  static constexpr std::string_view needed_with_friction[] = {"rotation_speed", "rotation_ratio", "frictional_loss",
-                                                              "peak_shear_x"};
+  constexpr std::string_view needed =
+      "rolling_resistance rolling_resistance_coefficient driving_force driving_torque approach load leading_edge "
+      "trailing_edge contact_area mean_pressure peak_pressure viscous_loss energy_residual law_violation";
+  constexpr std::string_view needed_with_friction = "rotation_speed rotation_ratio frictional_loss peak_shear_x";
   std::string_view missing;
   visit_outputs(solution, [&](const Quantity& quantity, const auto& value) {
     if constexpr (std::is_same_v<std::decay_t<decltype(value)>, double>) {
-      const bool counts = find_name(needed, quantity.key) >= 0 ||
-                          (scene.friction_coefficient > 0 && find_name(needed_with_friction, quantity.key) >= 0);
+      const bool counts = has_word(needed, quantity.key) ||
+                          (scene.friction_coefficient > 0 && has_word(needed_with_friction, quantity.key));
       if (counts && missing.empty() && !std::isfinite(value) && why_absent(scene, quantity.key).empty())
         missing = quantity.key;
     }
