@@ -96,7 +96,9 @@ template <class List, class Value>
 bool contains(const List& list, const Value& value) {
   return std::find(std::begin(list), std::end(list), value) != std::end(list);
 }
-using std::ranges::all_of, std::ranges::any_of, std::ranges::none_of;  ///< of whole lists
+/// Of whole lists.
+using std::ranges::all_of, std::ranges::any_of, std::ranges::none_of, std::ranges::count_if, std::ranges::find_if;
+using std::ranges::max_element, std::ranges::min_element, std::ranges::minmax_element, std::ranges::stable_sort;
 
 /// Whether a word is one of `words`, which have blanks between them.
 bool has_word(std::string_view words, std::string_view word);

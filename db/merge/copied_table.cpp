@@ -1,6 +1,5 @@
 #include "db/merge/copied_table.hpp"
 
-#include <algorithm>
 #include <functional>
 #include <set>
 #include <unordered_set>
@@ -194,8 +193,7 @@ void CopiedTable::copy_all(const std::string& condition) {
   const std::vector<std::string> names = identity();
   std::vector<int> at;
   for (const std::string& name : names)
-    at.push_back(static_cast<int>(std::find_if(columns_.begin(), columns_.end(),
-                                               [&](const CopiedColumn& column) { return column.name == name; }) -
+    at.push_back(static_cast<int>(find_if(columns_, [&](const CopiedColumn& column) { return column.name == name; }) -
                                   columns_.begin()));
   SQLite::Statement same(
       into_, "SELECT " + (number_column_.empty() ? "1" : quoted_name(number_column_)) + " FROM " + quoted_name(name_) +

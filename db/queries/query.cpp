@@ -2,7 +2,6 @@
 
 #include <sqlite3.h>
 
-#include <algorithm>
 #include <iterator>
 #include <sstream>
 #include <stdexcept>
@@ -32,7 +31,7 @@ bool summary_decides(const Query& query) {
 /// reading the rows of all its points. In the summary's own order the search ends when the page is full.
 bool better_from_summary(SQLite::Database& connection, const Query& query) {
   if (!query.limit || query.sort.empty() || !summary_decides(query) || studies_named(query.filters) > 1) return false;
-  const auto study = std::find_if(query.filters.begin(), query.filters.end(), [](const Filter& filter) {
+  const auto study = find_if(query.filters, [](const Filter& filter) {
     return filter.column == "study" && filter.comparison == Comparison::equal;
   });
   if (study == query.filters.end()) return false;

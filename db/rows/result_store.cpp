@@ -304,7 +304,7 @@ void ResultStore::require_study(std::int64_t id, const std::string& name, std::s
     if (const std::string now = row.getColumn(0).getString(); now != name) return "renamed to " + now;
     const std::vector<std::string> points = parts_->of_points(name, "key");
     const std::unordered_set<std::string_view> present(points.begin(), points.end());
-    const auto left = std::count_if(keys.begin(), keys.end(), [&](const auto& key) { return !present.contains(key); });
+    const auto left = count_if(keys, [&](const auto& key) { return !present.contains(key); });
     return left == 0 ? "" : "defined anew, without " + std::to_string(left) + " of its points,";
   });
   if (!change.empty())

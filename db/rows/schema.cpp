@@ -1,6 +1,5 @@
 #include "db/rows/schema.hpp"
 
-#include <algorithm>
 #include <map>
 #include <mutex>
 
@@ -225,7 +224,7 @@ const QuantityColumn* find_quantity_column(std::string_view name) {
     return &study;
   }
   const auto& all = quantity_columns();
-  const auto found = std::find_if(all.begin(), all.end(), [&](const Column& column) { return column.name == name; });
+  const auto found = find_if(all, [&](const Column& column) { return column.name == name; });
   return found == all.end() ? output_element_column(name) : &*found;
 }
 

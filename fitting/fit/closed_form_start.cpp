@@ -24,8 +24,7 @@ constexpr std::array<Placeholder, 3> placeholders{
     {{"static_shear_modulus", 1e6, 1e3}, {"stiffening", 2, 100}, {"creep_time", 0.1, 1e4}}};
 
 const Placeholder* find(std::string_view key) {
-  const auto* const found =
-      std::find_if(placeholders.begin(), placeholders.end(), [&](const auto& known) { return known.key == key; });
+  const auto* const found = find_if(placeholders, [&](const auto& known) { return known.key == key; });
   return found == placeholders.end() ? nullptr : found;
 }
 

@@ -15,7 +15,7 @@ namespace rollres {
 namespace {
 
 Descent& best_of(std::vector<Descent>& descents) {
-  return *std::min_element(descents.begin(), descents.end(), [](const Descent& a, const Descent& b) {
+  return *min_element(descents, [](const Descent& a, const Descent& b) {
     const auto size = [](const Descent& d) {
       return d.found() && !d.abandoned ? d.misfit : std::numeric_limits<double>::infinity();
     };

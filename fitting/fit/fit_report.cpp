@@ -71,7 +71,7 @@ std::vector<std::size_t> sharers(const FitErrors& errors) {
   const double largest = errors.weakest.cwiseAbs().maxCoeff();
   for (Eigen::Index j = 0; j < errors.weakest.size(); ++j)
     if (std::abs(errors.weakest[j]) > small * largest) found.push_back(static_cast<std::size_t>(j));
-  std::stable_sort(found.begin(), found.end(), [&](std::size_t a, std::size_t b) {
+  stable_sort(found, [&](std::size_t a, std::size_t b) {
     return std::abs(errors.weakest[static_cast<Eigen::Index>(a)]) >
            std::abs(errors.weakest[static_cast<Eigen::Index>(b)]);
   });

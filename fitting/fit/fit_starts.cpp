@@ -73,7 +73,7 @@ std::vector<FitPoint> not_far_worse(const FitProblem& problem, std::vector<FitPo
   constexpr double far_worse = 30;
   std::vector<double> misfits;
   for (const FitPoint& point : points) misfits.push_back(misfit_of(problem, problem.estimate(point, {})));
-  const double best = *std::min_element(misfits.begin(), misfits.end());
+  const double best = *min_element(misfits);
   const FitPoint own = start_point(problem);
   std::vector<FitPoint> left;
   for (std::size_t i = 0; i < points.size(); ++i)
@@ -122,8 +122,7 @@ std::vector<FitPoint> starts_of(const FitProblem& given, const FitOptions& optio
   for (const FitPoint& point : not_far_worse(problem, candidates_of(problem, options)))
     if (const double here = misfit_of(small, small.predict(point)); std::isfinite(here))
       candidates.push_back({point, here});
-  std::stable_sort(candidates.begin(), candidates.end(),
-                   [](const Candidate& a, const Candidate& b) { return a.misfit < b.misfit; });
+  stable_sort(candidates, [](const Candidate& a, const Candidate& b) { return a.misfit < b.misfit; });
   constexpr double twice = 0.69;
   std::vector<FitPoint> starts;
   for (const Candidate& candidate : candidates) {

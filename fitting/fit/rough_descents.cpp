@@ -140,7 +140,7 @@ std::vector<Way> ways_down(const FitProblem& problem, const std::vector<FitPoint
 }
 
 void sort_by_misfit(std::vector<Way>& ways) {
-  std::stable_sort(ways.begin(), ways.end(), [](const Way& a, const Way& b) { return misfit_of(a) < misfit_of(b); });
+  stable_sort(ways, [](const Way& a, const Way& b) { return misfit_of(a) < misfit_of(b); });
 }
 
 /// From the best end with one parameter held at values all over its usual ones, each from where the one before ended,

@@ -146,14 +146,14 @@ std::vector<std::size_t> SceneModel::examples(std::size_t column) const {
   std::vector<std::size_t> concerned;
   for (std::size_t i = 0; i < rows_.size(); ++i)
     if (contains(rows_[i].columns, column)) concerned.push_back(i);
-  std::stable_sort(concerned.begin(), concerned.end(), [&](std::size_t a, std::size_t b) {
+  stable_sort(concerned, [&](std::size_t a, std::size_t b) {
     return rows_[a].objective.base.speed < rows_[b].objective.base.speed;
   });
   if (concerned.empty()) return {};
   std::vector<std::size_t> found{concerned[concerned.size() / 2]};
   for (const std::size_t row : {concerned.front(), concerned.back()})
     if (!contains(found, row)) found.push_back(row);
-  const auto farthest = std::max_element(concerned.begin(), concerned.end(), [&](std::size_t a, std::size_t b) {
+  const auto farthest = max_element(concerned, [&](std::size_t a, std::size_t b) {
     return shift_reach(rows_[a], column) < shift_reach(rows_[b], column);
   });
   if (shift_reach(rows_[*farthest], column) > 0) {  // there its effect, and so the curvature, is largest

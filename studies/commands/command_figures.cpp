@@ -119,7 +119,7 @@ FieldCollections write_field_collections(ResultStore& store, const StudyOutline&
     collections = std::move(all);
   }
   for (auto& [others, files] : collections) {
-    std::stable_sort(files.begin(), files.end(), [](const auto& a, const auto& b) { return a.time < b.time; });
+    stable_sort(files, [](const auto& a, const auto& b) { return a.time < b.time; });
     const std::string name = file_name(study.name + others);
     std::filesystem::path file = directory / (name + ".pvd");
     for (int again = 2; contains(written.files, file); ++again)

@@ -1,4 +1,3 @@
-#include <algorithm>
 #include <cmath>
 #include <mutex>
 #include <ostream>
@@ -102,7 +101,7 @@ struct GlobalFindings {
   Json summary;  // of the run
 
   void sort() {
-    std::stable_sort(inputs.begin(), inputs.end(), [](const auto& a, const auto& b) { return a.size > b.size; });
+    stable_sort(inputs, [](const auto& a, const auto& b) { return a.size > b.size; });
     for (const InputFinding& input : inputs) table.rows.push_back(input.cells);
   }
 };

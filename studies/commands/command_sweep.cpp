@@ -1,4 +1,3 @@
-#include <algorithm>
 #include <ostream>
 
 #include "studies/program/watched_run.hpp"
@@ -36,16 +35,14 @@ std::vector<Failure> grouped(const std::vector<Failure>& failures) {
   reasons = with_ranges(reasons);
   std::vector<Failure> groups;
   for (std::size_t i = 0; i < failures.size(); ++i) {
-    const auto same = std::find_if(groups.begin(), groups.end(), [&](const Failure& group) {
-      return group.status == failures[i].status && group.reason == reasons[i];
-    });
+    const auto same = find_if(
+        groups, [&](const Failure& group) { return group.status == failures[i].status && group.reason == reasons[i]; });
     if (same != groups.end())
       same->points += failures[i].points;
     else
       groups.push_back({failures[i].status, reasons[i], failures[i].points});
   }
-  std::stable_sort(groups.begin(), groups.end(),
-                   [](const Failure& a, const Failure& b) { return a.points > b.points; });
+  stable_sort(groups, [](const Failure& a, const Failure& b) { return a.points > b.points; });
   return groups;
 }
 

@@ -1,4 +1,3 @@
-#include <algorithm>
 #include <chrono>
 #include <cmath>
 #include <iomanip>
@@ -92,7 +91,7 @@ void run_verify(const VerifyArguments& arguments, Session& session) {
   const auto begin = std::chrono::steady_clock::now();
   const std::vector<VerificationRow> rows = verify(session.evaluate);
   const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
-  const auto failed = std::count_if(rows.begin(), rows.end(), [](const auto& row) { return !row.passed(); });
+  const auto failed = count_if(rows, [](const auto& row) { return !row.passed(); });
   const auto passed = static_cast<std::ptrdiff_t>(rows.size()) - failed;
   if (failed > 0) session.status = ExitStatus::no_answer;
   if (arguments.json) {

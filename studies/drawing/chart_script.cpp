@@ -127,7 +127,7 @@ void write_end_labels(std::ostream& script, const ChartRequest& request, const L
     const auto last = std::find_if(points.rbegin(), points.rend(), [](const auto& point) { return point.joined(); });
     if (last != points.rend()) ends.push_back({i, *last, layout.y.fraction(last->y)});
   }
-  std::stable_sort(ends.begin(), ends.end(), [](const End& a, const End& b) { return a.at < b.at; });
+  stable_sort(ends, [](const End& a, const End& b) { return a.at < b.at; });
   // As low as they may stand, then down from the top where they came too high.
   const double step = end_label_height / from_top;
   for (std::size_t i = 0; i < ends.size(); ++i) ends[i].at = std::max(ends[i].at, i == 0 ? 0.0 : ends[i - 1].at + step);
@@ -190,8 +190,7 @@ std::vector<LegendEntry> legend_of_families(const ChartRequest& request) {
   for (std::size_t family = 0; family < request.families.size(); ++family) {
     const auto& [axis, labels] = request.families[family];
     for (std::size_t value = 0; value < labels.size(); ++value) {
-      const auto curve = std::find_if(request.curves.begin(), request.curves.end(),
-                                      [&](const ChartCurve& one) { return one.place[family] == value; });
+      const auto curve = find_if(request.curves, [&](const ChartCurve& one) { return one.place[family] == value; });
       if (curve == request.curves.end()) continue;
       const Look like = look(request, static_cast<std::size_t>(curve - request.curves.begin()));
       const std::string sample = family == 0 ? "lines lw 5 dt 1 lc rgb '" + like.colour + "'"

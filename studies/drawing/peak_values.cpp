@@ -25,8 +25,7 @@ std::vector<std::array<double, 2>> places_around(double x, double y, double half
   const auto distance = [&](const std::array<double, 2>& place) {
     return std::hypot(0.7 * (place[0] - x), place[1] - y);  // a step across costs less: leaders may be flat
   };
-  std::stable_sort(farther.begin(), farther.end(),
-                   [&](const auto& one, const auto& other) { return distance(one) < distance(other); });
+  stable_sort(farther, [&](const auto& one, const auto& other) { return distance(one) < distance(other); });
   places.insert(places.end(), farther.begin(), farther.end());
   return places;
 }
@@ -46,7 +45,7 @@ std::vector<PeakValue> peak_values(const ChartRequest& request, const ChartSpans
   std::vector<Top> tops;
   for (std::size_t i = 0; i < request.curves.size(); ++i)
     if (const auto place = peak(request.curves[i])) tops.push_back({i, request.curves[i].points[*place]});
-  std::stable_sort(tops.begin(), tops.end(), [](const Top& a, const Top& b) { return a.point.y > b.point.y; });
+  stable_sort(tops, [](const Top& a, const Top& b) { return a.point.y > b.point.y; });
 
   std::vector<LabelBox> taken;  // first by the rings
   for (const Top& top : tops)

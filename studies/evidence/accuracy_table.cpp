@@ -57,7 +57,7 @@ std::string table_of(const AccuracyReport& report, const std::vector<Method>& me
     int nodes = 0;
     std::vector<Cell> cells;
     for (const Method method : methods) {
-      const auto point = std::find_if(report.points.begin(), report.points.end(), [&](const AccuracyPoint& candidate) {
+      const auto point = find_if(report.points, [&](const AccuracyPoint& candidate) {
         return candidate.method == method && candidate.*key == value;
       });
       if (point == report.points.end()) continue;

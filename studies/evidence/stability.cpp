@@ -1,6 +1,5 @@
 #include "studies/evidence/stability.hpp"
 
-#include <algorithm>
 #include <chrono>
 #include <cmath>
 
@@ -194,7 +193,7 @@ StabilityReport run_stability(const StabilityPlan& plan, const Evaluate& evaluat
     return !is_failure(trial.outcome);
   };
   StabilityReport report{.trials = try_forked(plan.work(trials.size()), trials, tell, take)};
-  std::stable_sort(report.trials.begin(), report.trials.end(), [](const Trial& a, const Trial& b) {
+  stable_sort(report.trials, [](const Trial& a, const Trial& b) {
     return a.scene.indenter != b.scene.indenter ? a.scene.indenter < b.scene.indenter : a.number < b.number;
   });
   report.interrupted = report.trials.size() < trials.size();

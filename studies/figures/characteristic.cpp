@@ -66,7 +66,7 @@ ShownContacts evenly(const std::vector<CharacteristicPoint>& points, std::size_t
     const auto nearer = [&](const CharacteristicPoint& a, const CharacteristicPoint& b) {
       return std::abs(span.fraction(a.place) - wanted) < std::abs(span.fraction(b.place) - wanted);
     };
-    chosen.insert(static_cast<std::size_t>(std::min_element(points.begin(), points.end(), nearer) - points.begin()));
+    chosen.insert(static_cast<std::size_t>(min_element(points, nearer) - points.begin()));
   }
   constexpr double apart = 0.94;
   ShownContacts shown{{}, widest_contact};

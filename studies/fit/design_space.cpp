@@ -124,7 +124,7 @@ void search_space(const DesignSpace& space, const RatePlaces& rate) {
   const std::vector<double> values = rate(scenes);
   for (std::size_t i = 0; i < starts.size(); ++i) starts[i].value = values[i];
   std::erase_if(starts, [](const Start& start) { return !std::isfinite(start.value); });
-  std::stable_sort(starts.begin(), starts.end(), [](const Start& a, const Start& b) { return a.value < b.value; });
+  stable_sort(starts, [](const Start& a, const Start& b) { return a.value < b.value; });
   constexpr std::size_t most = 3;
   constexpr double apart = 0.2;
   std::vector<Start> taken;

@@ -201,8 +201,7 @@ std::optional<LargestDifference> next_difference(const FitCandidate& a, const Fi
     });
   if (space.empty() || !slopes_known(a) || !slopes_known(b)) return std::nullopt;
   const auto of_other = [&](const MeasuredScene& scene) {
-    const auto set = std::find_if(other.sets.begin(), other.sets.end(),
-                                  [&](const MeasuredScene& one) { return one.set == scene.set; });
+    const auto set = find_if(other.sets, [&](const MeasuredScene& one) { return one.set == scene.set; });
     MeasuredScene same = set == other.sets.end() ? other.sets.front() : *set;
     for (const DesignRange& range : space.ranges) set_input(same.scene, range.key, real_input(scene.scene, range.key));
     return same;
@@ -249,10 +248,8 @@ FitComparison compare(const std::vector<FitCandidate>& fits, const Evaluate& eva
     order.push_back(order.size());
     answer.fits.push_back(compared(fit, any_noise));
   }
-  std::stable_sort(order.begin(), order.end(),
-                   [&](std::size_t a, std::size_t b) { return answer.fits[a].aicc < answer.fits[b].aicc; });
-  std::stable_sort(answer.fits.begin(), answer.fits.end(),
-                   [](const ComparedFit& a, const ComparedFit& b) { return a.aicc < b.aicc; });
+  stable_sort(order, [&](std::size_t a, std::size_t b) { return answer.fits[a].aicc < answer.fits[b].aicc; });
+  stable_sort(answer.fits, [](const ComparedFit& a, const ComparedFit& b) { return a.aicc < b.aicc; });
   double sum = 0;
   const double least = answer.fits.front().aicc;
   for (ComparedFit& fit : answer.fits) sum += fit.weight = fit.aicc == least ? 1 : std::exp(0.5 * (least - fit.aicc));

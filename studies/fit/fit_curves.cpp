@@ -20,7 +20,7 @@ bool is_number(const std::string& key) { return find_input(key)->choices.empty()
 std::string horizontal(const FitFile& file) {
   const auto& varying = file.varying;
   if (varying.empty() || contains(varying, "speed")) return "speed";
-  const auto found = std::find_if(varying.begin(), varying.end(), is_number);
+  const auto found = find_if(varying, is_number);
   return found == varying.end() ? "speed" : *found;
 }
 
@@ -94,7 +94,7 @@ FitCurves fit_curves(const FitFile& file, const FitReport& report, const Evaluat
   const int pieces = detail.points - 1;
   if (answer.curves.size() > detail.most_curves) return answer;
   for (FitCurve& curve : answer.curves) {
-    const auto [from, to] = std::minmax_element(curve.data_x.begin(), curve.data_x.end());
+    const auto [from, to] = minmax_element(curve.data_x);
     std::vector<MeasuredScene> scenes;
     for (int i = 0; i <= pieces && *to > *from; ++i) {
       MeasuredScene between = file.scenes[curve.data.front()];

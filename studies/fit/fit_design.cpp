@@ -114,10 +114,8 @@ void look_anywhere(FitDesign& answer, const DesignSpace& space, const FitFile& f
       std::vector<std::size_t> others = rough;
       others.erase(others.begin() + static_cast<std::ptrdiff_t>(moved));
       const DesignChoice& start = plan.choices[rough[moved]];
-      const auto set =
-          static_cast<std::size_t>(std::find_if(space.sets.begin(), space.sets.end(),
-                                                [&](const MeasuredScene& one) { return one.set == start.set; }) -
-                                   space.sets.begin());
+      const auto set = static_cast<std::size_t>(
+          find_if(space.sets, [&](const MeasuredScene& one) { return one.set == start.set; }) - space.sets.begin());
       search_from(space, set, place_of(space, start.scene), [&](const auto& scenes) { return rating(scenes, others); });
     }
     drop_repeated(plan, space);

@@ -1,6 +1,5 @@
 #include "studies/fit/fit_file.hpp"
 
-#include <algorithm>
 #include <cmath>
 #include <stdexcept>
 #include <type_traits>
@@ -114,9 +113,8 @@ std::vector<GivenParameter> each_number(const std::vector<GivenParameter>& given
 double number_of(const GivenParameter& given, const Json& value, const std::string& what, const FitFile& fit) {
   const Body body = fit.body();
   if (is_measured_term(given.key)) {
-    const auto row = std::find_if(fit.scenes.begin(), fit.scenes.end(), [&](const MeasuredScene& scene) {
-      return given.set.empty() || scene.set == given.set;
-    });
+    const auto row =
+        find_if(fit.scenes, [&](const MeasuredScene& scene) { return given.set.empty() || scene.set == given.set; });
     const std::string_view unit =
         given.key == scale_key || row == fit.scenes.end() ? "1" : measured_quantity(row->output).unit_for(body);
     if (value.is_number()) {

@@ -1,6 +1,5 @@
 #include "studies/fit/material_curves.hpp"
 
-#include <algorithm>
 #include <cmath>
 
 #include "fitting/errors/statistics.hpp"
@@ -22,7 +21,7 @@ FitCurves curves_of_moduli(const ChartAxis& x, const char* name, const std::vect
     loss.data.push_back(2 * i + 1);
   }
   storage.data_x = loss.data_x = places;
-  const auto [lowest, highest] = std::minmax_element(places.begin(), places.end());
+  const auto [lowest, highest] = minmax_element(places);
   const double quantile = two_sided_quantile(confidence, report.deviations_known ? 0 : report.degrees);
   const auto add = [&](FitCurve& curve, double place, double modulus, double error) {
     curve.x.push_back(place);
@@ -61,7 +60,7 @@ FitCurves shift_curves(const ShiftFile& file, const TemperatureShift& shift) {
     curve.data_x.push_back(file.data[i].temperature);
     curve.data.push_back(i);
   }
-  const auto [lowest, highest] = std::minmax_element(curve.data_x.begin(), curve.data_x.end());
+  const auto [lowest, highest] = minmax_element(curve.data_x);
   constexpr int pieces = 60;
   const double one = shift_factor(shift, file.relative_to.value_or(shift.reference));
   for (int i = 0; i <= pieces; ++i) {

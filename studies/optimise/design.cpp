@@ -27,11 +27,11 @@ double combined(const DesignProblem& problem, OverScenes over, const std::vector
     case OverScenes::mean:
       return sum / weights;
     case OverScenes::max:
-      return *std::max_element(values.begin(), values.end());
+      return *max_element(values);
     case OverScenes::min:
       break;
   }
-  return *std::min_element(values.begin(), values.end());
+  return *min_element(values);
 }
 
 /// The scenes of a design with their answers.

@@ -276,7 +276,7 @@ ParetoReport pareto_front(std::span<const DesignProblem> problems, StoredEvaluat
   all.count = evaluations.count();
   const DesignProblem& problem = problems.front();
   mark_dominated(problem, all);
-  std::stable_sort(all.points.begin(), all.points.end(), [&](const ParetoPoint& a, const ParetoPoint& b) {
+  stable_sort(all.points, [&](const ParetoPoint& a, const ParetoPoint& b) {
     if (!a.report.best || !b.report.best) return a.report.best && !b.report.best;
     return problem.goal.better(a.report.value(), b.report.value());
   });

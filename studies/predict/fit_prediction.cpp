@@ -22,7 +22,7 @@ double median_of(std::vector<double> values) {
 
 /// The largest over the smallest.
 double spread_of(const std::vector<double>& values) {
-  const auto [least, most] = std::minmax_element(values.begin(), values.end());
+  const auto [least, most] = minmax_element(values);
   return *most / *least;
 }
 

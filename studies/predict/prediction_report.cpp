@@ -97,8 +97,7 @@ std::vector<DrawnDatum> drawn_data(const FitRecord& fit, const FitPredictions& p
 }  // namespace
 
 std::size_t FitPredictions::without_answer() const {
-  return static_cast<std::size_t>(
-      std::count_if(values.begin(), values.end(), [](const auto& one) { return !std::isfinite(one.value); }));
+  return static_cast<std::size_t>(count_if(values, [](const auto& one) { return !std::isfinite(one.value); }));
 }
 
 FitPredictions predictions_of(const FitRecord& fit, const std::filesystem::path& scenes, PredictedAs as,
@@ -196,7 +195,7 @@ ChartRequest prediction_chart(const FitRecord& fit, const FitPredictions& predic
                            y_unit.number(one.lowest), y_unit.number(one.highest)});
   }
   for (ChartCurve& curve : request.curves)
-    std::stable_sort(curve.points.begin(), curve.points.end(), [](const auto& a, const auto& b) { return a.x < b.x; });
+    stable_sort(curve.points, [](const auto& a, const auto& b) { return a.x < b.x; });
   for (const DrawnDatum& one : data) {
     ChartCurve& curve = curve_of(one.label.empty() ? "measured" : "measured, " + one.label, false);
     curve.points.push_back({x_unit.number(one.x), y_unit.number(one.value), true,

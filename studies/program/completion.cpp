@@ -197,8 +197,7 @@ std::string completions(const CommandWords& program, const std::vector<std::stri
   if (words.empty()) return "words\n";
   const auto named =
       std::find_if(words.begin(), words.end() - 1, [](const auto& word) { return !word.starts_with('-'); });
-  const auto command = std::find_if(program.commands.begin(), program.commands.end(),
-                                    [&](const CommandWords& one) { return one.name == *named; });
+  const auto command = find_if(program.commands, [&](const CommandWords& one) { return one.name == *named; });
   Completion completion;
   if (named == words.end() - 1)
     completion = words_of_program(program, words.back());

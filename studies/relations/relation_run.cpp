@@ -103,7 +103,7 @@ RelationReport run_relations(const RelationPlan& plan, const Evaluate& evaluate)
     return !is_broken(trial);
   };
   RelationReport report{.trials = try_forked(std::move(work), trials, tell, take)};
-  std::stable_sort(report.trials.begin(), report.trials.end(), [](const RelationTrial& a, const RelationTrial& b) {
+  stable_sort(report.trials, [](const RelationTrial& a, const RelationTrial& b) {
     return a.relation != b.relation ? a.relation < b.relation : a.indenter < b.indenter;
   });
   report.interrupted = report.trials.size() < trials.size();

@@ -63,7 +63,7 @@ std::string span_of_points(const ReportSource& source, const std::vector<std::si
     const auto less = [&](std::size_t a, std::size_t b) {
       return source.rows.cell(a, *axis) < source.rows.cell(b, *axis);
     };
-    const auto [least, greatest] = std::minmax_element(points.begin(), points.end(), less);
+    const auto [least, greatest] = minmax_element(points, less);
     const std::string from = shown_cell(source.rows, *least, *axis), to = shown_cell(source.rows, *greatest, *axis);
     return in_words(axis->quantity.key) + " = " + (from == to ? from : from + " to " + to);
   });
@@ -223,8 +223,7 @@ std::string failure_section(const ReportSource& source) {
   std::vector<TableRow> rows;
   for (const auto& [words, points] : kinds)
     rows.push_back({{words, std::to_string(points.size()), span_of_points(source, points)}});
-  std::stable_sort(rows.begin(), rows.end(),
-                   [](const auto& a, const auto& b) { return std::stoul(a.cells[1]) > std::stoul(b.cells[1]); });
+  stable_sort(rows, [](const auto& a, const auto& b) { return std::stoul(a.cells[1]) > std::stoul(b.cells[1]); });
   section += html::table({{"reason"}, {"points", true}, {"where"}}, rows);
   std::string all = html::table({{"point"}, {"status"}, {"reason"}}, places);
   if (reasons.size() > most)

@@ -59,8 +59,7 @@ Exponents exponents_of(std::string_view unit) {
       power = symbol.back() - '0';
       symbol.remove_suffix(1);
     }
-    const auto found =
-        std::find_if(symbols.begin(), symbols.end(), [&](const NamedUnit& known) { return known.name == symbol; });
+    const auto found = find_if(symbols, [&](const NamedUnit& known) { return known.name == symbol; });
     for (std::size_t i = 0; found != symbols.end() && i < all.size(); ++i) all[i] += sign * power * found->exponents[i];
     if (end < unit.size()) sign = unit[end] == '/' ? -1 : 1;
     begin = end + 1;

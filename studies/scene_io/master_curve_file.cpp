@@ -1,6 +1,5 @@
 #include "studies/scene_io/master_curve_file.hpp"
 
-#include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <stdexcept>
@@ -56,8 +55,8 @@ constexpr std::array<ModulusName, 20> modulus_names{
 
 /// The first of these names for a column.
 std::string name_that_says(std::string_view plain, ListedModuli said) {
-  const auto found = std::find_if(modulus_names.begin(), modulus_names.end(),
-                                  [&](const ModulusName& name) { return name.plain == plain && name.said == said; });
+  const auto found =
+      find_if(modulus_names, [&](const ModulusName& name) { return name.plain == plain && name.said == said; });
   return std::string(found->written);
 }
 
@@ -111,8 +110,7 @@ std::optional<ListedModuli> take_modulus_names(MeasuredTable& table) {
   std::optional<ListedModuli> said;
   std::string saying;
   for (MeasuredColumn& column : table.columns) {
-    const auto found = std::find_if(modulus_names.begin(), modulus_names.end(),
-                                    [&](const ModulusName& name) { return name.written == column.name; });
+    const auto found = find_if(modulus_names, [&](const ModulusName& name) { return name.written == column.name; });
     if (found == modulus_names.end()) continue;
     if (const MeasuredColumn* const other = table.find(found->plain))
       throw std::invalid_argument(table.file + ": give " + (other->written.empty() ? other->name : other->written) +

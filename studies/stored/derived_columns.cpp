@@ -57,8 +57,7 @@ FormulaDefinitions formulas_in(const Database& database, const std::vector<Filte
     definition.formulas.insert(definition.formulas.end(), definition.goals.begin(), definition.goals.end());
     for (auto& [name, formula] : definition.formulas) {
       if (!contains(names, name)) continue;
-      const auto same =
-          std::find_if(formulas.begin(), formulas.end(), [&](const auto& one) { return one.first == name; });
+      const auto same = find_if(formulas, [&](const auto& one) { return one.first == name; });
       if (same == formulas.end())
         formulas.emplace_back(name, formula);
       else if (same->second != formula && !is_goal(name))  // goals are stored: of several, they have no common unit

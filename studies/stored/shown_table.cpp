@@ -234,9 +234,8 @@ std::vector<std::string> varied_columns(const Database& database, const Query& q
 std::vector<std::string> fit_to_width(Table& table, std::size_t width, const std::vector<std::string>& droppable) {
   std::vector<std::string> dropped;
   for (auto key = droppable.rbegin(); key != droppable.rend() && aligned_width(table) > width; ++key) {
-    const auto place = std::find_if(table.columns.begin(), table.columns.end(), [&](const std::string& heading) {
-      return heading == *key || heading.starts_with(*key + " [");
-    });
+    const auto place = find_if(
+        table.columns, [&](const std::string& heading) { return heading == *key || heading.starts_with(*key + " ["); });
     if (place == table.columns.end()) continue;
     const auto column = place - table.columns.begin();
     dropped.insert(dropped.begin(), *key);

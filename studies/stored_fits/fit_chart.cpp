@@ -99,7 +99,7 @@ std::vector<std::pair<std::string, ResidualAxis>> input_axes(const FitRecord& fi
   std::vector<std::pair<std::string, ResidualAxis>> axes;
   for (const FitInputRecord& input : fit.inputs) {
     if (input.datum < 1 || input.datum > std::ssize(fit.data)) continue;
-    auto axis = std::find_if(axes.begin(), axes.end(), [&](const auto& known) { return known.first == input.name; });
+    auto axis = find_if(axes, [&](const auto& known) { return known.first == input.name; });
     if (axis == axes.end()) {
       axes.push_back({input.name, {{.name = in_words(input.name), .unit = input.unit}, {}}});
       axis = std::prev(axes.end());
@@ -317,13 +317,12 @@ void add_ellipses(const FitRecord& fit, std::vector<FitChart>& charts) {
   constexpr double slight = 0.5;
   constexpr std::size_t most = 4;
   std::vector<FitCorrelationRecord> pairs = fit.correlations;
-  std::stable_sort(pairs.begin(), pairs.end(), [](const auto& one, const auto& other) {
+  stable_sort(pairs, [](const auto& one, const auto& other) {
     return std::abs(one.correlation) > std::abs(other.correlation);
   });
   if (pairs.size() > most) pairs.resize(most);
   const auto find = [&](const std::string& name) {
-    return std::find_if(fit.parameters.begin(), fit.parameters.end(),
-                        [&](const auto& one) { return one.name == name; });
+    return find_if(fit.parameters, [&](const auto& one) { return one.name == name; });
   };
   bool any = false;
   for (const FitCorrelationRecord& pair : pairs) {

@@ -41,7 +41,7 @@ bool same_data(const FitRecord& a, const FitRecord& b) {
 
 /// By the chi squared alone, unless the noise is fitted.
 InformationCriteria criteria_of(const FitRecord& fit) {
-  const auto parameters = std::count_if(fit.parameters.begin(), fit.parameters.end(), is_estimated);
+  const auto parameters = count_if(fit.parameters, is_estimated);
   const bool noise = has_fitted_noise(fit);
   double log_variances = 0;
   for (const FitDataRecord& one : fit.data)
@@ -92,8 +92,7 @@ bool StoredComparison::within(double relative) const {
 StoredComparison compare_fits(const FitRecord& first, const FitRecord& second) {
   StoredComparison answer{first, second, {}, {}, {}, same_data(first, second)};
   const auto find = [](const FitRecord& fit, const std::string& name) {
-    return std::find_if(fit.parameters.begin(), fit.parameters.end(),
-                        [&](const auto& one) { return is_estimated(one) && one.name == name; });
+    return find_if(fit.parameters, [&](const auto& one) { return is_estimated(one) && one.name == name; });
   };
   for (const FitParameterRecord& one : first.parameters) {
     if (!is_estimated(one)) continue;
@@ -115,7 +114,7 @@ std::string stored_comparison_summary(const StoredComparison& comparison) {
   Table fits{{"fit", "status", "values", "parameters", "chi squared", "reduced", "p", "AICc", "BIC"}, {}};
   for (const FitRecord* const fit : {&a, &b}) {
     const InformationCriteria criteria = criteria_of(*fit);
-    const auto parameters = std::count_if(fit->parameters.begin(), fit->parameters.end(), is_estimated);
+    const auto parameters = count_if(fit->parameters, is_estimated);
     fits.rows.push_back({fit->name, fit->status, static_cast<std::int64_t>(fit->data.size()),
                          static_cast<std::int64_t>(parameters), digits_of(fit->chi_squared),
                          digits_of(fit->reduced_chi_squared), digits_of(fit->p_value, 3), digits_of(criteria.aicc),

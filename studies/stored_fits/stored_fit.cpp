@@ -188,9 +188,8 @@ std::vector<std::pair<std::string, std::string>> fit_statistics(const FitRecord&
                           (std::isnan(fit.p_value) ? "" : ", p = " + four_digits(fit.p_value))},
       {"rms", (fit.output_unit.empty() ? "" : readable(fit.rms, fit.output_unit) + ", ") + "relative " +
                   percent(fit.relative_rms)}};
-  const auto worst = std::max_element(fit.data.begin(), fit.data.end(), [](const auto& a, const auto& b) {
-    return std::abs(a.residual) < std::abs(b.residual);
-  });
+  const auto worst =
+      max_element(fit.data, [](const auto& a, const auto& b) { return std::abs(a.residual) < std::abs(b.residual); });
   if (worst != fit.data.end())
     lines.emplace_back("largest residual", short_number(worst->residual, 3) + " deviations" +
                                                (worst->place.empty() ? "" : " at " + worst->place));

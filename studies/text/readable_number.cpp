@@ -100,14 +100,13 @@ int first_power(std::string_view unit) {
 }
 
 const Prefixed* prefixed_unit(std::string_view unit) {
-  const auto* const found = std::find_if(prefixed.begin(), prefixed.end(),
-                                         [&](const Prefixed& known) { return known.symbol == first_symbol(unit); });
+  const auto* const found =
+      find_if(prefixed, [&](const Prefixed& known) { return known.symbol == first_symbol(unit); });
   return found == prefixed.end() ? nullptr : found;
 }
 
 ScaledUnit with_prefix(std::string_view unit, int thousands) {
-  const auto* const prefix =
-      std::find_if(prefixes.begin(), prefixes.end(), [&](const Prefix& known) { return known.thousands == thousands; });
+  const auto* const prefix = find_if(prefixes, [&](const Prefix& known) { return known.thousands == thousands; });
   return {std::string(prefix->name) + std::string(unit), std::pow(1000.0, thousands * first_power(unit))};
 }
 

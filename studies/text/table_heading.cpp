@@ -1,6 +1,5 @@
 #include "studies/text/table_heading.hpp"
 
-#include <algorithm>
 #include <array>
 #include <cctype>
 #include <stdexcept>
@@ -56,8 +55,7 @@ std::string modulus_symbol(std::string_view name) {
   while (!name.empty()) {
     constexpr std::array<std::pair<std::string_view, std::string_view>, 7> strokes{
         {{"'", "'"}, {"′", "'"}, {"’", "'"}, {"´", "'"}, {"\"", "''"}, {"″", "''"}, {"”", "''"}}};
-    const auto found = std::find_if(strokes.begin(), strokes.end(),
-                                    [&](const auto& stroke) { return name.starts_with(stroke.first); });
+    const auto found = find_if(strokes, [&](const auto& stroke) { return name.starts_with(stroke.first); });
     if (found == strokes.end()) return {};
     symbol += found->second;
     name.remove_prefix(found->first.size());

@@ -34,7 +34,7 @@ std::string shortened(std::string text) {
 std::string replaced(std::string_view text, std::initializer_list<std::pair<char, std::string_view>> by) {
   std::string out;
   for (const char letter : text) {
-    const auto found = std::find_if(by.begin(), by.end(), [&](const auto& one) { return one.first == letter; });
+    const auto found = find_if(by, [&](const auto& one) { return one.first == letter; });
     out += found == by.end() ? std::string_view(&letter, 1) : found->second;
   }
   return out;
