@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
-#include <numeric>
 
 #include "core/material/free_series.hpp"
 #include "core/material/material_scale.hpp"
@@ -13,6 +12,7 @@
 #include "core/material/smooth_spectrum.hpp"
 #include "core/messages/message_text.hpp"
 #include "core/numerics/recently_made.hpp"
+#include "core/numerics/sorted_places.hpp"
 
 namespace rollres {
 
@@ -123,11 +123,7 @@ SpectrumFit spectrum_of(const RelativeRows& rows) {
 }  // namespace
 
 std::vector<std::size_t> rows_in_order(const MasterCurve& curve) {
-  std::vector<std::size_t> order(curve.frequencies.size());
-  std::iota(order.begin(), order.end(), 0U);
-  std::stable_sort(order.begin(), order.end(),
-                   [&](std::size_t a, std::size_t b) { return curve.frequencies[a] < curve.frequencies[b]; });
-  return order;
+  return sorted_places(curve.frequencies.size(), [&](std::size_t row) { return curve.frequencies[row]; });
 }
 
 std::vector<double> relative_misfits(const MasterCurve& curve, const PronySeries& series) {

@@ -3,10 +3,10 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
-#include <numeric>
 
 #include "core/material/relative_rows.hpp"
 #include "core/messages/message_text.hpp"
+#include "core/numerics/sorted_places.hpp"
 
 namespace rollres {
 
@@ -35,11 +35,8 @@ PronySeries nearest_passive(const RelativeRows& rows) {
 std::vector<double> worst_frequencies(const MasterCurve& curve, const std::vector<double>& misfits) {
   constexpr std::size_t most = 3;
   const double apart = std::sqrt(10.0);
-  std::vector<std::size_t> order(misfits.size());
-  std::iota(order.begin(), order.end(), 0U);
-  std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return misfits[a] > misfits[b]; });
   std::vector<double> worst;
-  for (const std::size_t row : order) {
+  for (const std::size_t row : sorted_places(misfits.size(), [&](std::size_t i) { return -misfits[i]; })) {
     const double here = curve.frequencies[row];
     const bool near = std::any_of(worst.begin(), worst.end(),
                                   [&](double other) { return std::max(here, other) < apart * std::min(here, other); });

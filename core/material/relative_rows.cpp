@@ -3,11 +3,11 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
-#include <numeric>
 
 #include "core/algebra/dense_algebra.hpp"
 #include "core/material/prony_series.hpp"
 #include "core/numerics/solution_limits.hpp"
+#include "core/numerics/sorted_places.hpp"
 
 namespace rollres {
 
@@ -31,9 +31,7 @@ RelativeRows::RelativeRows(const MasterCurve& curve)
   if (!is_relaxation_) size_.tail(rows) = wanted_.tail(rows).cwiseMax(noticeable_tangent * wanted_.head(rows));
   noise_ = Eigen::VectorXd::Ones(wanted_.size());
   rest_ = free_rest_ ? share_at_rest * wanted_.head(rows).minCoeff() : curve.static_modulus;
-  order_.resize(curve.frequencies.size());
-  std::iota(order_.begin(), order_.end(), Eigen::Index{0});
-  std::stable_sort(order_.begin(), order_.end(), [&](Eigen::Index a, Eigen::Index b) { return omega_(a) < omega_(b); });
+  order_ = sorted_places(std::ssize(curve.frequencies), [&](Eigen::Index row) { return omega_(row); });
   loss_ = is_relaxation_ ? loss_of_relaxation() : Eigen::VectorXd(size_.tail(rows));
 }
 

@@ -18,12 +18,12 @@ namespace {
 std::string why_absent_under_pressure(Indenter indenter, std::string_view output) {
   constexpr std::array<std::string_view, 5> deflections{"deflection", "peak_deflection", "peak_deflection_x",
                                                         "deflections", "deflection_error"};
-  constexpr std::array<std::string_view, 9> of_body{"approach",       "driving_force",   "driving_torque",
-                                                    "rotation_speed", "rotation_ratio",  "frictional_loss",
-                                                    "law_violation",  "friction_needed", "friction_borne"};
+  constexpr std::string_view of_body =
+      "approach driving_force driving_torque rotation_speed rotation_ratio frictional_loss law_violation "
+      "friction_needed friction_borne";
   if (indenter != Indenter::pressure)
     return find_name(deflections, output) >= 0 ? "indenter \"pressure\" has it" : std::string();
-  return find_name(of_body, output) >= 0 ? "a given pressure has none" : std::string();
+  return has_word(of_body, output) ? "a given pressure has none" : std::string();
 }
 
 std::string why_absent(bool sphere, bool half_space, std::string_view output) {
@@ -46,27 +46,15 @@ std::string why_absent(const RollingScene& scene, std::string_view output) {
              (layers == 1 ? " layer: [0]" : " layers: [0] to [" + std::to_string(layers - 1) + "]");
     output = element->list;
   }
-  constexpr std::array<std::string_view, 11> of_inside{
-      "peak_shear_strain", "peak_shear_strain_x",   "peak_shear_strain_y", "peak_shear_strain_z",
-      "strain_amplitude",  "peak_strain_amplitude", "bond_shear",          "bond_tension",
-      "bond_shears",       "bond_tensions",         "interior_loss"};
+  constexpr std::string_view of_inside =
+      "peak_shear_strain peak_shear_strain_x peak_shear_strain_y peak_shear_strain_z strain_amplitude "
+      "peak_strain_amplitude bond_shear bond_tension bond_shears bond_tensions interior_loss";
   const bool softening = softens(scene) || std::any_of(scene.lower_layers.begin(), scene.lower_layers.end(), softens) ||
                          std::any_of(scene.coating_layers.begin(), scene.coating_layers.end(), softens);
-  constexpr std::array<std::string_view, 14> of_heat{"mean_temperature",
-                                                     "peak_temperature",
-                                                     "peak_temperature_depth",
-                                                     "bond_temperature",
-                                                     "surface_temperature",
-                                                     "heat_to_air",
-                                                     "heat_to_ground",
-                                                     "heat_to_core",
-                                                     "warming_time",
-                                                     "peclet",
-                                                     "fourier",
-                                                     "biot",
-                                                     "temperatures",
-                                                     "sublayer_temperatures"};
-  if (find_name(of_heat, output) >= 0 && scene.heat == Heat::off) return "heat = on computes it";
+  constexpr std::string_view of_heat =
+      "mean_temperature peak_temperature peak_temperature_depth bond_temperature surface_temperature heat_to_air "
+      "heat_to_ground heat_to_core warming_time peclet fourier biot temperatures sublayer_temperatures";
+  if (has_word(of_heat, output) && scene.heat == Heat::off) return "heat = on computes it";
   if (output == "sublayer_temperatures" && scene.thermal_sublayers == 1) return "thermal_sublayers = 1";
   if (output == "sublayer_temperatures" && !depends_on_temperature(scene))
     return "no material that heat warms has a law of shift";
@@ -74,8 +62,7 @@ std::string why_absent(const RollingScene& scene, std::string_view output) {
   if (find_name(of_capacity, output) >= 0 && !scene.heat_capacity) return "heat_capacity is not given";
   if (output == "softening" && !softening) return "no layer's moduli depend on the strain";
   const bool amplitude = output == "strain_amplitude" || output == "peak_strain_amplitude";
-  if (scene.interior == Interior::off && !(amplitude && softening) &&
-      std::find(of_inside.begin(), of_inside.end(), output) != of_inside.end())
+  if (scene.interior == Interior::off && !(amplitude && softening) && has_word(of_inside, output))
     return "interior = on computes it";
   if (std::string why = why_absent_under_pressure(scene.indenter, output); !why.empty()) return why;
   if (output == "deflections" && scene.deflection_places_x.empty()) return "deflection_places_x is not given";

@@ -77,6 +77,13 @@ int find_name(std::span<const std::string_view> names, std::string_view name) {
   return found == names.end() ? -1 : static_cast<int>(found - names.begin());
 }
 
+bool has_word(std::string_view words, std::string_view word) {
+  const auto blank = [&](std::size_t at) { return at >= words.size() || words[at] == ' '; };
+  for (std::size_t at = words.find(word); at != std::string_view::npos; at = words.find(word, at + 1))
+    if (blank(at - 1) && blank(at + word.size())) return !word.empty();
+  return false;
+}
+
 std::string nearest_name(std::span<const std::string_view> names, std::string_view misspelt) {
   std::string nearest;
   int smallest = std::max(2, static_cast<int>(misspelt.size()) / 3) + 1;

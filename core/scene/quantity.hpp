@@ -4,8 +4,10 @@
 /// The readers of files, the range check, `--set`, the columns of the database, the axes of a sweep and the labels
 /// of a chart all walk the same lists, through `visit_inputs` (scene.hpp) and `visit_outputs` (solution.hpp).
 
+#include <algorithm>
 #include <array>
 #include <compare>
+#include <iterator>
 #include <limits>
 #include <span>
 #include <string>
@@ -88,6 +90,18 @@ std::string_view name_of(Choice choice) {
 
 /// Position of `name` in `names`, or -1.
 int find_name(std::span<const std::string_view> names, std::string_view name);
+
+/// Whether a list has this value in it.
+template <class List, class Value>
+bool contains(const List& list, const Value& value) {
+  return std::find(std::begin(list), std::end(list), value) != std::end(list);
+}
+/// Of whole lists.
+using std::ranges::all_of, std::ranges::any_of, std::ranges::none_of, std::ranges::count_if, std::ranges::find_if;
+using std::ranges::max_element, std::ranges::min_element, std::ranges::minmax_element, std::ranges::stable_sort;
+
+/// Whether a word is one of `words`, which have blanks between them.
+bool has_word(std::string_view words, std::string_view word);
 
 /// The known name closest to a misspelt one (Damerau-Levenshtein distance); if none is near, the shortest that has it
 /// as a part, as "rolling_resistance" has "resistance"; else empty.

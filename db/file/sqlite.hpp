@@ -4,7 +4,9 @@
 
 #include <SQLiteCpp/SQLiteCpp.h>
 #include <SQLiteCpp/Savepoint.h>
+#include <SQLiteCpp/VariadicBind.h>
 
+#include <cmath>
 #include <filesystem>
 #include <stdexcept>
 #include <string>
@@ -28,6 +30,23 @@ auto naming(const std::string& file, Work&& work) -> decltype(work()) {
   } catch (const SQLite::Exception& error) {
     throw std::runtime_error(file + ": " + error.what());
   }
+}
+
+/// A statement with values for its first parameters.
+template <class... Values>
+SQLite::Statement bound(SQLite::Database& connection, const std::string& sql, const Values&... values) {
+  SQLite::Statement statement(connection, sql);
+  SQLite::bind(statement, values...);
+  return statement;
+}
+
+/// Binds a value; a number that is NaN is NULL.
+template <class Value>
+void bind_value(SQLite::Statement& statement, int index, const Value& value) {
+  statement.bind(index, value);
+}
+inline void bind_value(SQLite::Statement& statement, int index, double value) {
+  std::isnan(value) ? statement.bind(index) : statement.bind(index, value);
 }
 
 /// While it lives, 100 MB of pages are kept in memory: pages of an index to whose random places rows go, or at which

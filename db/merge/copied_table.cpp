@@ -1,6 +1,5 @@
 #include "db/merge/copied_table.hpp"
 
-#include <algorithm>
 #include <functional>
 #include <set>
 #include <unordered_set>
@@ -27,10 +26,10 @@ void bind_value(SQLite::Statement& to, int index, const SQLite::Column& value) {
 
 /// The INTEGER PRIMARY KEY that names rows by number; empty if there is none.
 std::string number_column(SQLite::Database& connection, const std::string& table) {
-  SQLite::Statement row(connection,
-                        "SELECT name, type, count(*) OVER (), wr FROM pragma_table_info(?1), (SELECT wr FROM "
-                        "pragma_table_list(?1)) WHERE pk > 0");
-  row.bind(1, table);
+  SQLite::Statement row = bound(connection,
+                                "SELECT name, type, count(*) OVER (), wr FROM pragma_table_info(?1), (SELECT wr FROM "
+                                "pragma_table_list(?1)) WHERE pk > 0",
+                                table);
   const bool numbered = row.executeStep() && row.getColumn(1).getString() == "INTEGER" &&
                         row.getColumn(2).getInt() == 1 && row.getColumn(3).getInt() == 0;
   return numbered ? row.getColumn(0).getString() : "";
@@ -47,8 +46,7 @@ std::vector<std::string> tables_by_reference(SQLite::Database& connection) {
   const std::function<void(const std::string&)> visit = [&](const std::string& name) {
     if (!visited.insert(name).second) return;
     std::vector<std::string> parents;
-    SQLite::Statement reference(connection, "SELECT \"table\" FROM pragma_foreign_key_list(?)");
-    reference.bind(1, name);
+    SQLite::Statement reference = bound(connection, "SELECT \"table\" FROM pragma_foreign_key_list(?)", name);
     while (reference.executeStep()) parents.push_back(reference.getColumn(0).getString());
     for (const std::string& parent : parents) visit(parent);
     ordered.push_back(name);
@@ -66,9 +64,8 @@ void CopiedTable::read_columns() {
   const std::set<std::string> known = column_names(into_, name_);
   for (const Column& column : columns_of(source_, name_))
     if (known.contains(column.name) && column.name != number_column_) columns_.push_back({column.name, {}});
-  SQLite::Statement row(source_,
-                        "SELECT \"from\", \"table\", coalesce(\"to\", '') FROM pragma_foreign_key_list(?) ORDER BY id");
-  row.bind(1, name_);
+  SQLite::Statement row = bound(
+      source_, "SELECT \"from\", \"table\", coalesce(\"to\", '') FROM pragma_foreign_key_list(?) ORDER BY id", name_);
   while (row.executeStep()) {
     const std::string from = row.getColumn(0).getString(), parent = row.getColumn(1).getString(),
                       to = row.getColumn(2).getString();
@@ -86,16 +83,15 @@ std::string CopiedTable::list() const {
 
 /// Columns that tell one row from another, wherever it is.
 std::vector<std::string> CopiedTable::identity() const {
-  SQLite::Statement row(source_,
-                        "SELECT column.name FROM (SELECT name FROM pragma_index_list(?) WHERE \"unique\" = 1 "
-                        "ORDER BY origin = 'u' DESC, seq LIMIT 1) AS first, pragma_index_info(first.name) AS column");
-  row.bind(1, name_);
+  SQLite::Statement row =
+      bound(source_,
+            "SELECT column.name FROM (SELECT name FROM pragma_index_list(?) WHERE \"unique\" = 1 "
+            "ORDER BY origin = 'u' DESC, seq LIMIT 1) AS first, pragma_index_info(first.name) AS column",
+            name_);
   std::vector<std::string> names, all;
   for (const CopiedColumn& column : columns_) all.push_back(column.name);
   while (row.executeStep()) names.push_back(row.getColumn(0).getString());
-  const bool of_columns = std::all_of(names.begin(), names.end(), [&](const std::string& name) {
-    return std::find(all.begin(), all.end(), name) != all.end();
-  });
+  const bool of_columns = all_of(names, [&](const std::string& name) { return contains(all, name); });
   return names.empty() || !of_columns ? all : names;
 }
 
@@ -197,8 +193,7 @@ void CopiedTable::copy_all(const std::string& condition) {
   const std::vector<std::string> names = identity();
   std::vector<int> at;
   for (const std::string& name : names)
-    at.push_back(static_cast<int>(std::find_if(columns_.begin(), columns_.end(),
-                                               [&](const CopiedColumn& column) { return column.name == name; }) -
+    at.push_back(static_cast<int>(find_if(columns_, [&](const CopiedColumn& column) { return column.name == name; }) -
                                   columns_.begin()));
   SQLite::Statement same(
       into_, "SELECT " + (number_column_.empty() ? "1" : quoted_name(number_column_)) + " FROM " + quoted_name(name_) +

@@ -14,4 +14,11 @@ GatheredDatabases::GatheredDatabases(std::span<const std::string> files) : file_
     for (const auto& [name, here] : merge(all, file).renamed) renamed_.push_back({file, name, here});
 }
 
+std::string GatheredDatabases::renamed_in_words() const {
+  std::string lines;
+  for (const auto& [file, name, here] : renamed_)
+    lines += file + ": study " + name + " is defined otherwise and comes as " + here + '\n';
+  return lines;
+}
+
 }  // namespace rollres

@@ -26,6 +26,8 @@ class GatheredDatabases {
     std::string file, name, here;
   };
   const std::vector<Renamed>& renamed() const { return renamed_; }
+  /// Likewise, a line of each.
+  std::string renamed_in_words() const;
 
  private:
   std::optional<TemporaryFolder> folder_;

@@ -145,16 +145,14 @@ class Merge {
   using Keys = std::unordered_set<std::string>;
 
   static Keys points_of(SQLite::Database& connection, std::int64_t study) {
-    SQLite::Statement row(connection, "SELECT key FROM study_point WHERE study = ?");
-    row.bind(1, study);
+    SQLite::Statement row = bound(connection, "SELECT key FROM study_point WHERE study = ?", study);
     Keys keys;
     while (row.executeStep()) keys.insert(row.getColumn(0).getString());
     return keys;
   }
 
   static std::string definition_of(SQLite::Database& connection, std::int64_t study) {
-    SQLite::Statement row(connection, "SELECT definition FROM study WHERE id = ?");
-    row.bind(1, study);
+    SQLite::Statement row = bound(connection, "SELECT definition FROM study WHERE id = ?", study);
     row.executeStep();
     return row.getColumn(0).getString();
   }
@@ -164,7 +162,7 @@ class Merge {
     if (definition_of(into_, there) == definition_of(source_, here)) return true;
     const Keys kept = points_of(into_, there), other = points_of(source_, here);
     const Keys &fewer = kept.size() < other.size() ? kept : other, &more = kept.size() < other.size() ? other : kept;
-    return std::all_of(fewer.begin(), fewer.end(), [&](const std::string& key) { return more.contains(key); });
+    return all_of(fewer, [&](const std::string& key) { return more.contains(key); });
   }
 
   /// Where a study of the source belongs: a row of the destination, or a name that is free there.
@@ -185,10 +183,7 @@ class Merge {
   }
 
   void name_study(const std::string& name, const std::string& other) {
-    SQLite::Statement change(into_, "UPDATE study SET name = ? WHERE name = ?");
-    change.bind(1, other);
-    change.bind(2, name);
-    change.exec();
+    bound(into_, "UPDATE study SET name = ? WHERE name = ?", other, name).exec();
   }
 
   /// Does what writes a row under the source's name, and leaves it under another one.
@@ -205,27 +200,20 @@ class Merge {
 
   void take_over(CopiedTable& table, std::int64_t source_id, std::int64_t id, const std::string& name,
                  const std::string& started, const std::string& created) {
-    SQLite::Statement there(into_, "SELECT started, created, name FROM study WHERE id = ?");
-    there.bind(1, id);
+    SQLite::Statement there = bound(into_, "SELECT started, created, name FROM study WHERE id = ?", id);
     there.executeStep();
     const bool later = started > there.getColumn(0).getString();
     const std::string first_created = std::min(there.getColumn(1).getString(), created);
     const std::string kept_name = there.getColumn(2).getString();
     there.reset();
     if (later) {
-      SQLite::Statement points(into_, "DELETE FROM study_point WHERE study = ?");
-      points.bind(1, id);
-      points.exec();
+      bound(into_, "DELETE FROM study_point WHERE study = ?", id).exec();
       named(name, kept_name, [&] { table.replace(source_id, id); });
       ++report_.studies;
     } else {
       table.keep(source_id, id);
     }
-    SQLite::Statement first(into_, "UPDATE study SET created = ? WHERE id = ? AND created <> ?");
-    first.bind(1, first_created);
-    first.bind(2, id);
-    first.bind(3, first_created);
-    first.exec();
+    bound(into_, "UPDATE study SET created = ? WHERE id = ? AND created <> ?", first_created, id, first_created).exec();
   }
 
   void copy_studies(CopiedTable& table) {

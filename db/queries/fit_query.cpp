@@ -1,6 +1,5 @@
 #include "db/queries/fit_query.hpp"
 
-#include <algorithm>
 #include <map>
 #include <stdexcept>
 
@@ -49,8 +48,7 @@ std::vector<std::string> usual_columns(const Columns& columns) {
       "x_unit", "x_logarithmic", "y_logarithmic", "y_name",     "y_unit",      "git_hash"};
   std::vector<std::string> names{"id", "name", "kind", "status", "parameters", "values"};
   for (const Column& column : columns)
-    if (find_name(left_out, column.name) < 0 && std::find(names.begin(), names.end(), column.name) == names.end())
-      names.push_back(column.name);
+    if (find_name(left_out, column.name) < 0 && !contains(names, column.name)) names.push_back(column.name);
   return names;
 }
 

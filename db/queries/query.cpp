@@ -2,7 +2,6 @@
 
 #include <sqlite3.h>
 
-#include <algorithm>
 #include <iterator>
 #include <sstream>
 #include <stdexcept>
@@ -14,30 +13,25 @@ namespace rollres {
 
 namespace {
 
-bool is_of_summary(const std::string& column) {
-  return std::find(summary_columns.begin(), summary_columns.end(), column) != summary_columns.end();
-}
+bool is_of_summary(const std::string& column) { return contains(summary_columns, column); }
 
 bool needs_study(const Query& query) {
-  return any_of_study(query.filters) || std::any_of(query.columns.begin(), query.columns.end(), of_study) ||
-         std::any_of(query.sort.begin(), query.sort.end(),
-                     [](const std::string& text) { return of_study(SortKey(text).column); });
+  return any_of_study(query.filters) || any_of(query.columns, of_study) ||
+         any_of(query.sort, [](const std::string& text) { return of_study(SortKey(text).column); });
 }
 
 /// Whether the columns that select and order the rows are all in the summary, or of the study.
 bool summary_decides(const Query& query) {
   auto decides = [](const std::string& column) { return is_of_summary(column) || of_study(column); };
-  return std::all_of(query.filters.begin(), query.filters.end(),
-                     [&](const Filter& filter) { return decides(filter.column); }) &&
-         std::all_of(query.sort.begin(), query.sort.end(),
-                     [&](const std::string& text) { return decides(SortKey(text).column); });
+  return all_of(query.filters, [&](const Filter& filter) { return decides(filter.column); }) &&
+         all_of(query.sort, [&](const std::string& text) { return decides(SortKey(text).column); });
 }
 
 /// Whether the first page of a study is found quicker in the summary, looking up which rows are points of it, than by
 /// reading the rows of all its points. In the summary's own order the search ends when the page is full.
 bool better_from_summary(SQLite::Database& connection, const Query& query) {
   if (!query.limit || query.sort.empty() || !summary_decides(query) || studies_named(query.filters) > 1) return false;
-  const auto study = std::find_if(query.filters.begin(), query.filters.end(), [](const Filter& filter) {
+  const auto study = find_if(query.filters, [](const Filter& filter) {
     return filter.column == "study" && filter.comparison == Comparison::equal;
   });
   if (study == query.filters.end()) return false;
@@ -226,9 +220,9 @@ Table run_group_query(const Database& database, const GroupQuery& query) {
   return naming(database.name(), [&] {
     SQLite::Database& connection = database.connection();
     add_functions(connection);
-    const bool with_study = any_of_study(query.filters) || std::any_of(query.by.begin(), query.by.end(), of_study) ||
-                            std::any_of(query.aggregates.begin(), query.aggregates.end(),
-                                        [](const Aggregate& aggregate) { return of_study(aggregate.column); });
+    const bool with_study =
+        any_of_study(query.filters) || any_of(query.by, of_study) ||
+        any_of(query.aggregates, [](const Aggregate& aggregate) { return of_study(aggregate.column); });
     const std::string view = with_study ? "result" : "evaluation";
     Columns known = known_columns(connection, view);
     add_computed(connection, query.computed, known);

@@ -213,16 +213,14 @@ bool names_study(const Filter& filter) {
 
 }  // namespace
 
-std::ptrdiff_t studies_named(const std::vector<Filter>& filters) {
-  return std::count_if(filters.begin(), filters.end(), names_study);
-}
+std::ptrdiff_t studies_named(const std::vector<Filter>& filters) { return count_if(filters, names_study); }
 
 bool has_column(const Columns& columns, const std::string& name) {
-  return std::any_of(columns.begin(), columns.end(), [&](const Column& one) { return one.name == name; });
+  return any_of(columns, [&](const Column& one) { return one.name == name; });
 }
 
 const Column& column_named(const Columns& columns, const std::string& name) {
-  const auto found = std::find_if(columns.begin(), columns.end(), [&](const Column& one) { return one.name == name; });
+  const auto found = find_if(columns, [&](const Column& one) { return one.name == name; });
   if (found != columns.end()) return *found;
   std::vector<std::string_view> names;
   for (const Column& column : columns) names.push_back(column.name);
@@ -236,12 +234,10 @@ const Column& column_named(const Columns& columns, const std::string& name) {
                               (nearest.empty() ? "; see rollres quantities" : "; did you mean " + nearest + "?"));
 }
 
-bool of_study(const std::string& column) {
-  return std::find(point_columns.begin(), point_columns.end(), column) != point_columns.end();
-}
+bool of_study(const std::string& column) { return contains(point_columns, column); }
 
 bool any_of_study(const std::vector<Filter>& filters) {
-  return std::any_of(filters.begin(), filters.end(), [](const Filter& one) { return of_study(one.column); });
+  return any_of(filters, [](const Filter& one) { return of_study(one.column); });
 }
 
 SortKey::SortKey(const std::string& text)

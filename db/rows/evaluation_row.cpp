@@ -1,7 +1,6 @@
 #include "db/rows/evaluation_row.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <optional>
 #include <set>
 #include <stdexcept>
@@ -18,11 +17,8 @@ namespace {
 
 using Lines = std::vector<std::string>;
 
-void bind_value(SQLite::Statement& statement, int index, double value) {
-  std::isnan(value) ? statement.bind(index) : statement.bind(index, value);
-}
 void bind_value(SQLite::Statement& statement, int index, const std::optional<double>& value) {
-  value ? bind_value(statement, index, *value) : statement.bind(index);
+  value ? rollres::bind_value(statement, index, *value) : statement.bind(index);
 }
 /// A list is text, and NULL if it is empty.
 void bind_value(SQLite::Statement& statement, int index, const std::vector<double>& list) {
@@ -31,8 +27,6 @@ void bind_value(SQLite::Statement& statement, int index, const std::vector<doubl
 void bind_value(SQLite::Statement& statement, int index, const BondedLayers& layers) {
   layers.empty() ? statement.bind(index) : statement.bind(index, text_of_layers(layers));
 }
-void bind_value(SQLite::Statement& statement, int index, int value) { statement.bind(index, value); }
-void bind_value(SQLite::Statement& statement, int index, const std::string& value) { statement.bind(index, value); }
 void bind_value(SQLite::Statement& statement, int index, const Lines& lines) {
   statement.bind(index, joined(lines, "\n", [](std::string line) {
                    std::replace(line.begin(), line.end(), '\n', ' ');
@@ -41,7 +35,7 @@ void bind_value(SQLite::Statement& statement, int index, const Lines& lines) {
 }
 template <class Choice>
 requires std::is_enum_v<Choice>
-void bind_value(SQLite::Statement& statement, int index, Choice choice) {
+void bind_value(SQLite::Statement& statement, int index, const Choice& choice) {
   statement.bind(index, std::string(name_of(choice)));
 }
 

@@ -108,8 +108,7 @@ void remove_fields(SQLite::Database& connection, const std::string& key) {
 
 std::optional<PackedFields> find_packed_fields(SQLite::Database& connection, const std::string& key) {
   if (!has_fields_table(connection)) return std::nullopt;
-  SQLite::Statement row(connection, "SELECT format, bytes FROM fields WHERE key = ?");
-  row.bind(1, key);
+  SQLite::Statement row = bound(connection, "SELECT format, bytes FROM fields WHERE key = ?", key);
   if (!row.executeStep()) return std::nullopt;
   const SQLite::Column bytes = row.getColumn(1);
   return PackedFields{row.getColumn(0).getInt(),

@@ -29,13 +29,6 @@ std::string column_list(bool types = false) {
   return list;
 }
 
-void bind_column(SQLite::Statement& statement, int index, double value) {
-  std::isnan(value) ? statement.bind(index) : statement.bind(index, value);
-}
-void bind_column(SQLite::Statement& statement, int index, std::int64_t value) { statement.bind(index, value); }
-void bind_column(SQLite::Statement& statement, int index, bool value) { statement.bind(index, std::int64_t{value}); }
-void bind_column(SQLite::Statement& statement, int index, const std::string& value) { statement.bind(index, value); }
-
 void read_column(const SQLite::Column& column, double& value) {
   value = column.isNull() ? std::nan("") : column.getDouble();
 }
@@ -59,16 +52,16 @@ void insert(SQLite::Database& connection, const std::string& table, const std::s
   SQLite::Statement row(
       connection, "INSERT INTO " + table + "(" + names + ", " + column_list<Record>() + ") VALUES (" + places + ")");
   int index = 1;
-  (bind_column(row, index++, before), ...);
-  visit_columns(record, [&](const char*, const auto& value) { bind_column(row, index++, value); });
+  (rollres::bind_value(row, index++, before), ...);
+  visit_columns(record, [&](const char*, const auto& value) { rollres::bind_value(row, index++, value); });
   row.exec();
 }
 
 template <class Record>
 std::vector<Record> parts_of(SQLite::Database& connection, const std::string& table, const std::string& order,
                              std::int64_t fit) {
-  SQLite::Statement row(connection, "SELECT " + column_list<Record>() + " FROM " + table + " WHERE fit = ?" + order);
-  row.bind(1, fit);
+  SQLite::Statement row =
+      bound(connection, "SELECT " + column_list<Record>() + " FROM " + table + " WHERE fit = ?" + order, fit);
   std::vector<Record> parts;
   while (row.executeStep()) parts.push_back(read_record<Record>(row, 0));
   return parts;
@@ -202,9 +195,8 @@ std::int64_t save_fit(const Database& database, const FitRecord& fit) {
 std::optional<FitRecord> find_fit(const Database& database, const std::string& name, FitParts parts) {
   return naming(database.name(), [&]() -> std::optional<FitRecord> {
     SQLite::Database& connection = database.connection();
-    SQLite::Statement row(connection,
-                          "SELECT id, " + column_list<FitRecord>() + " FROM fit WHERE name = ? ORDER BY id DESC");
-    row.bind(1, name);
+    SQLite::Statement row =
+        bound(connection, "SELECT id, " + column_list<FitRecord>() + " FROM fit WHERE name = ? ORDER BY id DESC", name);
     if (!row.executeStep()) return std::nullopt;
     const std::int64_t id = row.getColumn(0).getInt64();
     FitRecord fit = read_record<FitRecord>(row, 1);

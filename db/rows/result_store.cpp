@@ -47,11 +47,8 @@ std::int64_t provenance_id(SQLite::Database& connection, const Provenance& progr
        {"INSERT OR IGNORE INTO provenance(version, git_hash, solver, compiler, machine) VALUES (?, ?, ?, ?, ?)",
         "SELECT id FROM provenance WHERE version = ? AND git_hash = ? AND solver = ? AND compiler = ? AND machine = "
         "?"}) {
-    SQLite::Statement statement(connection, query);
-    int index = 1;
-    for (const std::string* text :
-         {&program.version, &program.git_hash, &program.solver, &program.compiler, &program.machine})
-      statement.bind(index++, *text);
+    SQLite::Statement statement =
+        bound(connection, query, program.version, program.git_hash, program.solver, program.compiler, program.machine);
     if (statement.executeStep()) return statement.getColumn(0).getInt64();
   }
   throw std::runtime_error("provenance could not be stored");
@@ -89,11 +86,11 @@ struct ResultStore::Parts {
 
   std::optional<StoredEvaluation> find(const std::string& condition, const auto& value) {
     if (found_columns.empty()) found_columns = select_list(connection());
-    SQLite::Statement row(connection(),
-                          "SELECT evaluation.id, key, created, version, git_hash, solver, compiler, machine, " +
-                              found_columns + " FROM evaluation JOIN provenance ON provenance.id = provenance WHERE " +
-                              condition);
-    row.bind(1, value);
+    SQLite::Statement row =
+        bound(connection(),
+              "SELECT evaluation.id, key, created, version, git_hash, solver, compiler, machine, " + found_columns +
+                  " FROM evaluation JOIN provenance ON provenance.id = provenance WHERE " + condition,
+              value);
     if (!row.executeStep()) return std::nullopt;
     StoredEvaluation found;
     found.id = row.getColumn(0).getInt64();
@@ -104,10 +101,10 @@ struct ResultStore::Parts {
     SceneAndSolution both = row_of(row, found.id, 8);
     found.scene = std::move(both.scene);
     found.solution = std::move(both.solution);
-    SQLite::Statement study(connection(),
-                            "SELECT DISTINCT name FROM study_point JOIN study ON study.id = study "
-                            "WHERE key = ? ORDER BY name");
-    study.bind(1, found.key);
+    SQLite::Statement study = bound(connection(),
+                                    "SELECT DISTINCT name FROM study_point JOIN study ON study.id = study "
+                                    "WHERE key = ? ORDER BY name",
+                                    found.key);
     found.studies = texts_of(study);
     return found;
   }
@@ -136,9 +133,8 @@ struct ResultStore::Parts {
   }
 
   bool has_points(std::int64_t study, std::span<const std::string> keys, std::span<const std::string> variants) {
-    SQLite::Statement row(connection(),
-                          "SELECT key, coalesce(variant, '') FROM study_point WHERE study = ? ORDER BY position");
-    row.bind(1, study);
+    SQLite::Statement row = bound(
+        connection(), "SELECT key, coalesce(variant, '') FROM study_point WHERE study = ? ORDER BY position", study);
     std::size_t same = 0;
     for (; row.executeStep(); ++same) {
       if (same == keys.size() || keys[same] != row.getColumn(0).getText()) return false;
@@ -149,10 +145,11 @@ struct ResultStore::Parts {
 
   /// What stands under `column` for the points of a study, in their order.
   std::vector<std::string> of_points(const std::string& study, const std::string& column) {
-    SQLite::Statement row(connection(), "SELECT " + column +
-                                            " FROM study_point WHERE study = (SELECT id FROM study "
-                                            "WHERE name = ?) ORDER BY position");
-    row.bind(1, study);
+    SQLite::Statement row = bound(connection(),
+                                  "SELECT " + column +
+                                      " FROM study_point WHERE study = (SELECT id FROM study "
+                                      "WHERE name = ?) ORDER BY position",
+                                  study);
     return texts_of(row);
   }
 
@@ -194,8 +191,7 @@ std::size_t ResultStore::save(std::span<const Evaluation> evaluations, Existing 
     std::size_t changed = 0;
     for (const Evaluation& evaluation : evaluations) {
       insert.tryReset();  // whatever became of the one before
-      insert.bind(1, evaluation.key);
-      insert.bind(2, program);
+      SQLite::bind(insert, evaluation.key, program);
       bind_row(insert, 3, evaluation.scene, evaluation.solution);
       const bool is_new = insert.exec() > 0;
       bool fields_are_new = false;
@@ -265,15 +261,13 @@ std::int64_t ResultStore::start_study(const StudyRecord& study, std::span<const 
   return naming(database().name(), [&] {
     SQLite::Database& connection = parts_->connection();
     SQLite::Transaction transaction(connection, SQLite::TransactionBehavior::IMMEDIATE);
-    SQLite::Statement record(connection,
-                             std::string("INSERT INTO study(name, axes, definition, created, started) "
-                                         "VALUES (?, ?, ?, ") +
-                                 now + ", " + now +
-                                 ") ON CONFLICT(name) DO UPDATE SET axes = excluded.axes, "
-                                 "definition = excluded.definition, started = excluded.started RETURNING id");
-    record.bind(1, study.name);
-    record.bind(2, joined(study.axes, " "));
-    record.bind(3, study.definition);
+    SQLite::Statement record = bound(connection,
+                                     std::string("INSERT INTO study(name, axes, definition, created, started) "
+                                                 "VALUES (?, ?, ?, ") +
+                                         now + ", " + now +
+                                         ") ON CONFLICT(name) DO UPDATE SET axes = excluded.axes, "
+                                         "definition = excluded.definition, started = excluded.started RETURNING id",
+                                     study.name, joined(study.axes, " "), study.definition);
     record.executeStep();
     const std::int64_t id = record.getColumn(0).getInt64();
     record.reset();
@@ -282,16 +276,13 @@ std::int64_t ResultStore::start_study(const StudyRecord& study, std::span<const 
       return id;
     }
     const LargeCache cache(connection);
-    SQLite::Statement remove(connection, "DELETE FROM study_point WHERE study = ?");
-    remove.bind(1, id);
-    remove.exec();
+    bound(connection, "DELETE FROM study_point WHERE study = ?", id).exec();
     // An index that most keys are new to is made anew: sorted once, not one by one.
     const auto others = connection.execAndGet("SELECT count(*) FROM study_point").getInt64();
     const bool anew = others < static_cast<std::int64_t>(keys.size());
     if (anew) connection.exec("DROP INDEX study_point_key");
-    SQLite::Statement add(connection,
-                          "INSERT INTO study_point(study, position, key, variant) VALUES (?, ?, ?, nullif(?, ''))");
-    add.bind(1, id);
+    SQLite::Statement add =
+        bound(connection, "INSERT INTO study_point(study, position, key, variant) VALUES (?, ?, ?, nullif(?, ''))", id);
     for (std::size_t i = 0; i < keys.size(); ++i) {
       add.reset();
       add.bind(2, static_cast<std::int64_t>(i + 1));
@@ -308,13 +299,12 @@ std::int64_t ResultStore::start_study(const StudyRecord& study, std::span<const 
 
 void ResultStore::require_study(std::int64_t id, const std::string& name, std::span<const std::string> keys) {
   const auto change = naming(database().name(), [&]() -> std::string {
-    SQLite::Statement row(parts_->connection(), "SELECT name FROM study WHERE id = ?");
-    row.bind(1, id);
+    SQLite::Statement row = bound(parts_->connection(), "SELECT name FROM study WHERE id = ?", id);
     if (!row.executeStep()) return "deleted";
     if (const std::string now = row.getColumn(0).getString(); now != name) return "renamed to " + now;
     const std::vector<std::string> points = parts_->of_points(name, "key");
     const std::unordered_set<std::string_view> present(points.begin(), points.end());
-    const auto left = std::count_if(keys.begin(), keys.end(), [&](const auto& key) { return !present.contains(key); });
+    const auto left = count_if(keys, [&](const auto& key) { return !present.contains(key); });
     return left == 0 ? "" : "defined anew, without " + std::to_string(left) + " of its points,";
   });
   if (!change.empty())
@@ -334,8 +324,7 @@ void ResultStore::add_points(const std::string& study, std::span<const std::stri
                           "AND NOT EXISTS (SELECT 1 FROM study_point WHERE key = ?1 AND study = id)");
     for (std::size_t i = 0; i < keys.size(); ++i) {
       add.reset();
-      add.bind(1, keys[i]);
-      add.bind(2, study);
+      SQLite::bind(add, keys[i], study);
       if (i < variants.size() && !variants[i].empty())
         add.bind(3, variants[i]);
       else
@@ -351,11 +340,11 @@ void ResultStore::set_designs(const std::string& study, std::span<const DesignRe
   naming(database().name(), [&] {
     SQLite::Database& connection = parts_->connection();
     SQLite::Transaction transaction(connection, SQLite::TransactionBehavior::IMMEDIATE);
-    SQLite::Statement forget(connection,
-                             "UPDATE study_point SET design = NULL, goal = NULL, second_goal = NULL, feasible = NULL, "
-                             "front = NULL WHERE study = (SELECT id FROM study WHERE name = ?)");
-    forget.bind(1, study);
-    forget.exec();
+    bound(connection,
+          "UPDATE study_point SET design = NULL, goal = NULL, second_goal = NULL, feasible = NULL, "
+          "front = NULL WHERE study = (SELECT id FROM study WHERE name = ?)",
+          study)
+        .exec();
     SQLite::Statement place(connection,
                             "SELECT study, position, design FROM study_point WHERE key = ? "
                             "AND study = (SELECT id FROM study WHERE name = ?)");
@@ -367,17 +356,14 @@ void ResultStore::set_designs(const std::string& study, std::span<const DesignRe
       std::optional<std::int64_t> first;
       for (const std::string& key : design.keys) {
         place.reset();
-        place.bind(1, key);
-        place.bind(2, study);
+        SQLite::bind(place, key, study);
         if (!place.executeStep() || !place.getColumn(2).isNull()) {
           if (!first) break;  // not a point of the study, or of a design that is told already
           continue;
         }
         const std::int64_t id = place.getColumn(0).getInt64(), position = place.getColumn(1).getInt64();
         number.reset();
-        number.bind(1, first.value_or(position));
-        number.bind(2, id);
-        number.bind(3, position);
+        SQLite::bind(number, first.value_or(position), id, position);
         number.exec();
         if (first) continue;
         first = position;
@@ -422,10 +408,11 @@ std::optional<StudySummary> ResultStore::study(const std::string& name) {
 
 std::optional<StudyOutline> ResultStore::outline(const std::string& name) {
   return naming(database().name(), [&]() -> std::optional<StudyOutline> {
-    SQLite::Statement row(parts_->connection(),
-                          "SELECT name, axes, (SELECT count(*) FROM study_point WHERE study = study.id) FROM study "
-                          "WHERE name = ?");
-    row.bind(1, name);
+    SQLite::Statement row =
+        bound(parts_->connection(),
+              "SELECT name, axes, (SELECT count(*) FROM study_point WHERE study = study.id) FROM study "
+              "WHERE name = ?",
+              name);
     if (!row.executeStep()) return std::nullopt;
     return read_outline(row);
   });
@@ -433,8 +420,7 @@ std::optional<StudyOutline> ResultStore::outline(const std::string& name) {
 
 std::optional<std::string> ResultStore::definition(const std::string& study) {
   return naming(database().name(), [&]() -> std::optional<std::string> {
-    SQLite::Statement row(parts_->connection(), "SELECT definition FROM study WHERE name = ?");
-    row.bind(1, study);
+    SQLite::Statement row = bound(parts_->connection(), "SELECT definition FROM study WHERE name = ?", study);
     if (!row.executeStep()) return std::nullopt;
     return row.getColumn(0).getString();
   });
@@ -442,10 +428,11 @@ std::optional<std::string> ResultStore::definition(const std::string& study) {
 
 std::vector<Failure> ResultStore::failures(const std::string& study) {
   return naming(database().name(), [&] {
-    SQLite::Statement row(parts_->connection(),
-                          "SELECT status, coalesce(reason, ''), count(*) FROM result WHERE study = ? "
-                          "AND status IS NOT 'converged' GROUP BY status, reason ORDER BY count(*) DESC, reason");
-    row.bind(1, study);
+    SQLite::Statement row =
+        bound(parts_->connection(),
+              "SELECT status, coalesce(reason, ''), count(*) FROM result WHERE study = ? "
+              "AND status IS NOT 'converged' GROUP BY status, reason ORDER BY count(*) DESC, reason",
+              study);
     std::vector<Failure> all;
     while (row.executeStep())
       all.push_back({row.getColumn(0).getString(), row.getColumn(1).getString(), row.getColumn(2).getInt64()});

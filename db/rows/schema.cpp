@@ -1,6 +1,5 @@
 #include "db/rows/schema.hpp"
 
-#include <algorithm>
 #include <map>
 #include <mutex>
 
@@ -77,8 +76,7 @@ void add_kinematics(SQLite::Database& connection) {
 void show_as_asked(SQLite::Database& connection) {
   const std::vector<Column> present = columns_of(connection, "evaluation");
   for (const char* const key : {"load", "approach", "driving_torque", "rotation_ratio"})
-    if (std::any_of(present.begin(), present.end(),
-                    [&](const Column& column) { return column.name == input_column(key); }))
+    if (any_of(present, [&](const Column& column) { return column.name == input_column(key); }))
       connection.exec(std::string("UPDATE evaluation SET ") + key + " = given_" + key + " WHERE given_" + key +
                       " IS NOT NULL");
 }
@@ -226,14 +224,13 @@ const QuantityColumn* find_quantity_column(std::string_view name) {
     return &study;
   }
   const auto& all = quantity_columns();
-  const auto found = std::find_if(all.begin(), all.end(), [&](const Column& column) { return column.name == name; });
+  const auto found = find_if(all, [&](const Column& column) { return column.name == name; });
   return found == all.end() ? output_element_column(name) : &*found;
 }
 
 std::vector<Column> columns_of(SQLite::Database& connection, const std::string& table) {
   std::vector<Column> columns;
-  SQLite::Statement statement(connection, "SELECT name, type FROM pragma_table_info(?)");
-  statement.bind(1, table);
+  SQLite::Statement statement = bound(connection, "SELECT name, type FROM pragma_table_info(?)", table);
   while (statement.executeStep())
     columns.push_back({statement.getColumn(0).getString(), statement.getColumn(1).getString()});
   return columns;

@@ -11,8 +11,7 @@ namespace {
 constexpr const char* of_no_study = "NOT EXISTS (SELECT 1 FROM study_point WHERE study_point.key = evaluation.key)";
 
 bool there_is(const Database& database, const std::string& study) {
-  SQLite::Statement row(database.connection(), "SELECT 1 FROM study WHERE name = ?");
-  row.bind(1, study);
+  SQLite::Statement row = bound(database.connection(), "SELECT 1 FROM study WHERE name = ?", study);
   return row.executeStep();
 }
 

@@ -154,9 +154,7 @@ class Position : public LeastSquares {
 
  private:
   bool is_held(std::size_t parameter) const {
-    const auto in = [&](const std::vector<std::size_t>& some) {
-      return std::find(some.begin(), some.end(), parameter) != some.end();
-    };
+    const auto in = [&](const std::vector<std::size_t>& some) { return contains(some, parameter); };
     return in(options_.held) || in(pressed_);
   }
 

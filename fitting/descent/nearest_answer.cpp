@@ -42,7 +42,7 @@ std::optional<FitPoint> nearest_answer(const FitProblem& problem, FitPoint point
 
 FitProblem with_nearest_answers(const FitProblem& problem, const std::vector<std::size_t>& held) {
   for (std::size_t j = 0; j < problem.size(); ++j) {
-    if (!problem.parameters[j].has_least || std::find(held.begin(), held.end(), j) != held.end()) continue;
+    if (!problem.parameters[j].has_least || contains(held, j)) continue;
     FitProblem answered = problem;
     answered.model.predict = [problem, j](const FitPoint& point, const DataRows& rows) {
       Prediction prediction = problem.predict(point, rows);

@@ -33,7 +33,7 @@ std::vector<AtBound> bounds_met(const FitProblem& problem, const FitPoint& point
 /// @param whitened  slopes over the deviations
 double scatter(const FitProblem& problem, const Eigen::VectorXd& residuals, const Eigen::MatrixXd& whitened) {
   double squares = misfit(problem, residuals);
-  if (std::none_of(problem.data.begin(), problem.data.end(), [](const MeasuredValue& one) { return one.prior(); }))
+  if (none_of(problem.data, [](const MeasuredValue& one) { return one.prior(); }))
     return squares / degrees_of_freedom(problem);
   const SingularValues svd(whitened);
   const Eigen::Index rank = (svd.values.array() > SingularValues::rank_limit * svd.values[0]).count();

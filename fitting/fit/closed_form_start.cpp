@@ -24,8 +24,7 @@ constexpr std::array<Placeholder, 3> placeholders{
     {{"static_shear_modulus", 1e6, 1e3}, {"stiffening", 2, 100}, {"creep_time", 0.1, 1e4}}};
 
 const Placeholder* find(std::string_view key) {
-  const auto* const found =
-      std::find_if(placeholders.begin(), placeholders.end(), [&](const auto& known) { return known.key == key; });
+  const auto* const found = find_if(placeholders, [&](const auto& known) { return known.key == key; });
   return found == placeholders.end() ? nullptr : found;
 }
 
@@ -56,8 +55,7 @@ std::vector<MeasuredScene> known_by_closed_forms(const std::vector<MeasuredScene
 }
 
 bool concerns_any(const FittedInput& input, const std::vector<MeasuredScene>& scenes) {
-  return std::any_of(scenes.begin(), scenes.end(),
-                     [&](const MeasuredScene& row) { return input.set.empty() || input.set == row.set; });
+  return any_of(scenes, [&](const MeasuredScene& row) { return input.set.empty() || input.set == row.set; });
 }
 
 }  // namespace
@@ -77,17 +75,22 @@ double estimated_resistance(const RollingScene& scene) {
   return coefficient * (modulus.imag() / modulus.real()) * half_width / scene.radius * *scene.load;
 }
 
+namespace {
+
+RollingSolution estimate(const RollingScene& scene) {
+  RollingSolution solution;
+  solution.rolling_resistance = estimated_resistance(scene);
+  solution.status = Status::converged;
+  return solution;
+}
+
+}  // namespace
+
 std::vector<FittedInput> with_closed_form_starts(const std::vector<MeasuredScene>& given,
                                                  std::vector<FittedInput> inputs, std::string_view output) {
   const std::vector<MeasuredScene> scenes = known_by_closed_forms(given, output);
   const auto wanted = [](const FittedInput& input) { return !input.start && has_closed_form_start(input.input.key); };
-  if (scenes.empty() || std::none_of(inputs.begin(), inputs.end(), wanted)) return inputs;
-  const Evaluate estimate = [](const RollingScene& scene) {
-    RollingSolution solution;
-    solution.rolling_resistance = estimated_resistance(scene);
-    solution.status = Status::converged;
-    return solution;
-  };
+  if (scenes.empty() || none_of(inputs, wanted)) return inputs;
   // Stiffness and stiffening are hard to separate: the latter starts from its usual value.
   std::vector<MeasuredScene> usual = scenes;
   for (FittedInput& input : inputs) {
@@ -125,17 +128,11 @@ std::vector<FittedInput> with_closed_form_starts(const std::vector<MeasuredScene
 
 void add_closed_forms(FitProblem& problem, const std::vector<MeasuredScene>& scenes,
                       const std::vector<FittedInput>& inputs, std::string_view output) {
-  const bool one_layer = std::all_of(scenes.begin(), scenes.end(), [](const MeasuredScene& row) {
+  const bool one_layer = all_of(scenes, [](const MeasuredScene& row) {
     return row.scene.coating_layers.empty() && row.scene.lower_layers.empty();
   });
   const std::size_t known = known_by_closed_forms(scenes, output).size();
   if (!one_layer || known == 0) return;
-  const Evaluate estimate = [](const RollingScene& scene) {
-    RollingSolution solution;
-    solution.rolling_resistance = estimated_resistance(scene);
-    solution.status = Status::converged;
-    return solution;
-  };
   if (known == scenes.size())
     problem.estimate =
         resistance_problem(scenes, inputs, problem.parameters, estimate, {.output = std::string(output), .jobs = 1})

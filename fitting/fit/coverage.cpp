@@ -1,6 +1,5 @@
 #include "fitting/fit/coverage.hpp"
 
-#include <algorithm>
 #include <cmath>
 #include <mutex>
 #include <numbers>
@@ -64,8 +63,7 @@ Coverage coverage(const FitProblem& problem, const FitPoint& truth, double scatt
     }
     if (report.status < FitStatus::not_identified) {
       const std::string reason = std::string(name_of(report.status)) + ": " + report.reason;
-      if (std::find(answer.failures.begin(), answer.failures.end(), reason) == answer.failures.end())
-        answer.failures.push_back(reason);
+      if (!contains(answer.failures, reason)) answer.failures.push_back(reason);
       return;
     }
     ++answer.fitted;

@@ -50,8 +50,8 @@ Eigen::VectorXd MeasurementPlan::deviations_with(const Eigen::MatrixXd& with) co
 
 void MeasurementPlan::sort() {
   const auto by = static_cast<Eigen::Index>(worst);
-  std::stable_sort(choices.begin(), choices.end(),
-                   [&](const DesignChoice& a, const DesignChoice& b) { return a.deviations[by] < b.deviations[by]; });
+  stable_sort(choices,
+              [&](const DesignChoice& a, const DesignChoice& b) { return a.deviations[by] < b.deviations[by]; });
 }
 
 Eigen::MatrixXd covariance_with(const MeasurementPlan& plan, const std::vector<std::size_t>& places) {

@@ -15,7 +15,7 @@ namespace rollres {
 namespace {
 
 Descent& best_of(std::vector<Descent>& descents) {
-  return *std::min_element(descents.begin(), descents.end(), [](const Descent& a, const Descent& b) {
+  return *min_element(descents, [](const Descent& a, const Descent& b) {
     const auto size = [](const Descent& d) {
       return d.found() && !d.abandoned ? d.misfit : std::numeric_limits<double>::infinity();
     };
@@ -72,7 +72,7 @@ bool arrived(const FitReport& report) {
   constexpr double near = 0.01, exactly = 1e-7, next_to_nothing = 1;
   if (leaves_free(report) && report.errors.fall < next_to_nothing * report.errors.scale) return true;
   constexpr double little = 0.02, smooth = 1e-5;
-  const bool on_edge = std::any_of(report.parameters.begin(), report.parameters.end(), [](const auto& fitted) {
+  const bool on_edge = any_of(report.parameters, [](const auto& fitted) {
     return fitted.at_bound == AtBound::lowest && std::isfinite(fitted.parameter.least);
   });
   if ((on_edge || report.noise > smooth) && report.errors.fall < little * report.errors.scale) return true;
@@ -234,10 +234,9 @@ void add_profiles(FitReport& report, const FitProblem& given, const Descent& bes
   const FitErrors errors = fit_errors(problem, best.end, residuals(problem, best.prediction), slopes);
   const double threshold = interval_threshold(problem);
   // At a bound, and on the edge of what has an answer, errors by slopes mean nothing.
-  const bool needed =
-      options.known || std::any_of(report.parameters.begin(), report.parameters.end(), [&](const auto& fitted) {
-        return fitted.at_bound != AtBound::no || std::isfinite(fitted.parameter.least);
-      });
+  const bool needed = options.known || any_of(report.parameters, [&](const auto& fitted) {
+                        return fitted.at_bound != AtBound::no || std::isfinite(fitted.parameter.least);
+                      });
   const std::size_t usual =
       needed ? std::numeric_limits<std::size_t>::max() / 2 : usual_solutions(problem, options.limits);
   for (const std::size_t j : order_of_profiles(problem)) {

@@ -2,9 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 
 #include "core/messages/message_text.hpp"
+#include "core/numerics/sorted_places.hpp"
 #include "fitting/errors/statistics.hpp"
 #include "fitting/fit/fit.hpp"
 
@@ -71,7 +71,7 @@ std::vector<std::size_t> sharers(const FitErrors& errors) {
   const double largest = errors.weakest.cwiseAbs().maxCoeff();
   for (Eigen::Index j = 0; j < errors.weakest.size(); ++j)
     if (std::abs(errors.weakest[j]) > small * largest) found.push_back(static_cast<std::size_t>(j));
-  std::stable_sort(found.begin(), found.end(), [&](std::size_t a, std::size_t b) {
+  stable_sort(found, [&](std::size_t a, std::size_t b) {
     return std::abs(errors.weakest[static_cast<Eigen::Index>(a)]) >
            std::abs(errors.weakest[static_cast<Eigen::Index>(b)]);
   });
@@ -142,12 +142,8 @@ FitReport report_on(const FitProblem& problem, const Descent& best, const std::v
   if (problem.deviations_known && report.degrees > 0 && problem.loss == Loss::none)
     report.p_value = chi_squared_tail(best.misfit, report.degrees);
   report.runs_p_value = runs_test(misses);
-  std::vector<Eigen::Index> order(problem.data.size());
-  std::iota(order.begin(), order.end(), 0);
-  std::stable_sort(order.begin(), order.end(), [&](Eigen::Index a, Eigen::Index b) {
-    return best.prediction.values[a] < best.prediction.values[b];
-  });
-  report.trend_p_value = runs_test(misses(order));
+  report.trend_p_value = runs_test(
+      misses(sorted_places(std::ssize(problem.data), [&](Eigen::Index i) { return best.prediction.values[i]; })));
   double squares = 0, relative_squares = 0, count = 0;
   Eigen::Index largest = 0;
   misses.cwiseAbs().maxCoeff(&largest);

@@ -73,7 +73,7 @@ std::vector<FitPoint> not_far_worse(const FitProblem& problem, std::vector<FitPo
   constexpr double far_worse = 30;
   std::vector<double> misfits;
   for (const FitPoint& point : points) misfits.push_back(misfit_of(problem, problem.estimate(point, {})));
-  const double best = *std::min_element(misfits.begin(), misfits.end());
+  const double best = *min_element(misfits);
   const FitPoint own = start_point(problem);
   std::vector<FitPoint> left;
   for (std::size_t i = 0; i < points.size(); ++i)
@@ -122,22 +122,18 @@ std::vector<FitPoint> starts_of(const FitProblem& given, const FitOptions& optio
   for (const FitPoint& point : not_far_worse(problem, candidates_of(problem, options)))
     if (const double here = misfit_of(small, small.predict(point)); std::isfinite(here))
       candidates.push_back({point, here});
-  std::stable_sort(candidates.begin(), candidates.end(),
-                   [](const Candidate& a, const Candidate& b) { return a.misfit < b.misfit; });
+  stable_sort(candidates, [](const Candidate& a, const Candidate& b) { return a.misfit < b.misfit; });
   constexpr double twice = 0.69;
   std::vector<FitPoint> starts;
   for (const Candidate& candidate : candidates) {
     if (std::ssize(starts) == options.starts) break;
-    if (std::none_of(starts.begin(), starts.end(),
-                     [&](const FitPoint& start) { return beside(problem, start, candidate.point, twice); }))
+    if (none_of(starts, [&](const FitPoint& start) { return beside(problem, start, candidate.point, twice); }))
       starts.push_back(candidate.point);
   }
   // Who gives a start knows something: closed forms may have led all others to another least misfit.
   const FitPoint own = start_point(given);
-  const bool answered =
-      std::any_of(candidates.begin(), candidates.end(), [&](const Candidate& one) { return one.point == own; });
-  if (answered && std::none_of(starts.begin(), starts.end(),
-                               [&](const FitPoint& start) { return beside(problem, start, own, twice); })) {
+  const bool answered = any_of(candidates, [&](const Candidate& one) { return one.point == own; });
+  if (answered && none_of(starts, [&](const FitPoint& start) { return beside(problem, start, own, twice); })) {
     if (std::ssize(starts) == options.starts) starts.pop_back();
     starts.push_back(own);
   }

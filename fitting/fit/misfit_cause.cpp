@@ -83,9 +83,7 @@ std::string missing_term(const FitProblem& problem, const FitReport& report, con
   double left = 1 - most;
   for (const std::string_view key : {offset_key, scale_key}) {
     if (small.data.size() < problem.size() + 2) break;
-    if (std::any_of(problem.parameters.begin(), problem.parameters.end(),
-                    [&](const FitParameter& one) { return one.name.starts_with(key); }))
-      continue;
+    if (any_of(problem.parameters, [&](const FitParameter& one) { return one.name.starts_with(key); })) continue;
     const FitProblem wider = with_term(small, key);
     const Prediction now = small.predict(report.point());
     if (!now.found()) break;

@@ -140,8 +140,7 @@ void weigh_as_measured(FitProblem& problem, const std::vector<NoiseTerm>& terms)
     MeasuredValue& datum = problem.data[i];
     if (datum.prior()) continue;
     const auto acts = [&](bool relative) {
-      return std::any_of(terms.begin(), terms.end(),
-                         [&](const NoiseTerm& term) { return term.relative == relative && term.acts[i]; });
+      return any_of(terms, [&](const NoiseTerm& term) { return term.relative == relative && term.acts[i]; });
     };
     if (!acts(true) && !acts(false)) throw std::invalid_argument(datum.place + ": no term of the noise acts on it");
     const double size = acts(true) ? std::abs(datum.value) : middle;

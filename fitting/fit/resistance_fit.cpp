@@ -95,7 +95,7 @@ FitParameter term_parameter(const std::vector<MeasuredScene>& scenes, const Fitt
 
 /// What helps where nodes that enter and leave the contact make a scene's answers jump.
 std::string noise_remedy(const std::vector<MeasuredScene>& scenes) {
-  const auto fixed = std::find_if(scenes.begin(), scenes.end(), [](const MeasuredScene& row) {
+  const auto fixed = find_if(scenes, [](const MeasuredScene& row) {
     return on_grid(resolved_method(row.scene)) && (row.scene.spacing || dimension_of(row.scene.indenter) == 2);
   });
   if (fixed == scenes.end()) return "";
@@ -150,8 +150,7 @@ std::vector<FitParameter> fit_parameters(const std::vector<MeasuredScene>& scene
                                          const std::vector<FittedInput>& inputs) {
   std::vector<FitParameter> parameters;
   for (const FittedInput& input : inputs) {
-    const auto first = std::find_if(scenes.begin(), scenes.end(),
-                                    [&](const MeasuredScene& scene) { return concerns(input, scene.set); });
+    const auto first = find_if(scenes, [&](const MeasuredScene& scene) { return concerns(input, scene.set); });
     if (first == scenes.end())
       throw std::invalid_argument(input.input.key + ": concerns no measured value of a data set \"" + input.set + '"');
     const std::string name = input.input.key + (input.set.empty() ? "" : " (" + input.set + ")");

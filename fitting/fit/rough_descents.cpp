@@ -140,7 +140,7 @@ std::vector<Way> ways_down(const FitProblem& problem, const std::vector<FitPoint
 }
 
 void sort_by_misfit(std::vector<Way>& ways) {
-  std::stable_sort(ways.begin(), ways.end(), [](const Way& a, const Way& b) { return misfit_of(a) < misfit_of(b); });
+  stable_sort(ways, [](const Way& a, const Way& b) { return misfit_of(a) < misfit_of(b); });
 }
 
 /// From the best end with one parameter held at values all over its usual ones, each from where the one before ended,
@@ -242,7 +242,7 @@ std::vector<std::size_t> with_unanswered(std::vector<std::size_t> rows, const De
   std::size_t added = 0;
   for (Eigen::Index i = 0; i < descent.prediction.values.size() && added < most; ++i) {
     const auto row = static_cast<std::size_t>(i);
-    if (std::isfinite(descent.prediction.values[i]) || std::find(rows.begin(), rows.end(), row) != rows.end()) continue;
+    if (std::isfinite(descent.prediction.values[i]) || contains(rows, row)) continue;
     rows.push_back(row);
     ++added;
   }

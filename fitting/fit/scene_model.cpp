@@ -114,8 +114,8 @@ void SceneModel::calibrate_at(const FitPoint& point) {
     for (const std::size_t row : rows) (row == rows.front() ? middle : others).push_back({column, row});
   }
   calibrate_pieces(middle, point);
-  const bool smooth_there = std::all_of(unknown.begin(), unknown.end(),
-                                        [&](std::size_t column) { return calibrations_[column].size.noise < smooth; });
+  const bool smooth_there =
+      all_of(unknown, [&](std::size_t column) { return calibrations_[column].size.noise < smooth; });
   if (!smooth_there || *on_grid_) calibrate_pieces(others, point);
 }
 
@@ -145,16 +145,15 @@ void SceneModel::calibrate_pieces(const std::vector<Piece>& pieces, const FitPoi
 std::vector<std::size_t> SceneModel::examples(std::size_t column) const {
   std::vector<std::size_t> concerned;
   for (std::size_t i = 0; i < rows_.size(); ++i)
-    if (std::find(rows_[i].columns.begin(), rows_[i].columns.end(), column) != rows_[i].columns.end())
-      concerned.push_back(i);
-  std::stable_sort(concerned.begin(), concerned.end(), [&](std::size_t a, std::size_t b) {
+    if (contains(rows_[i].columns, column)) concerned.push_back(i);
+  stable_sort(concerned, [&](std::size_t a, std::size_t b) {
     return rows_[a].objective.base.speed < rows_[b].objective.base.speed;
   });
   if (concerned.empty()) return {};
   std::vector<std::size_t> found{concerned[concerned.size() / 2]};
   for (const std::size_t row : {concerned.front(), concerned.back()})
-    if (std::find(found.begin(), found.end(), row) == found.end()) found.push_back(row);
-  const auto farthest = std::max_element(concerned.begin(), concerned.end(), [&](std::size_t a, std::size_t b) {
+    if (!contains(found, row)) found.push_back(row);
+  const auto farthest = max_element(concerned, [&](std::size_t a, std::size_t b) {
     return shift_reach(rows_[a], column) < shift_reach(rows_[b], column);
   });
   if (shift_reach(rows_[*farthest], column) > 0) {  // there its effect, and so the curvature, is largest

@@ -43,8 +43,7 @@ struct SceneRow {
     part.base = scene_at(objective, own(point));
     part.variables.clear();
     for (std::size_t k = 0; k < columns.size(); ++k)
-      if (std::find(some.begin(), some.end(), columns[k]) != some.end())
-        part.variables.push_back(objective.variables[k]);
+      if (contains(some, columns[k])) part.variables.push_back(objective.variables[k]);
     for (Variable& one : part.variables) {
       const double here = std::abs(real_input(part.base, one.quantity.key));
       if (one.scaling == Scaling::linear && one.quantity.range.lowest >= 0 && here > 1e-3 * one.size) one.size = here;

@@ -51,9 +51,8 @@ std::pair<double, FractionalZener> best_at(const std::vector<MeasuredModulus>& d
     row += 2;
   }
   const Eigen::VectorXd moduli = nonnegative_least_squares(a, b);
-  const double softest = std::min_element(data.begin(), data.end(), [](const auto& one, const auto& other) {
-                           return one.storage < other.storage;
-                         })->storage;
+  const double softest =
+      min_element(data, [](const auto& one, const auto& other) { return one.storage < other.storage; })->storage;
   constexpr double least = 0.01;  // a modulus at rest that the data do not show is thought to be somewhat below them
   const double at_rest = std::max(moduli[0], least * softest), f = std::max(moduli[1] / at_rest, 0.1);
   return {(a * moduli - b).squaredNorm(), {at_rest, f, theta * std::pow(1 + f, 1 / order), order}};
@@ -103,9 +102,8 @@ void scale_values(MaterialFit& answer, const std::vector<MeasuredModulus>& data)
 }  // namespace
 
 TemperatureShift usual_constants(TemperatureShift shift, const std::vector<MeasuredModulus>& data) {
-  const double coldest = std::min_element(data.begin(), data.end(), [](const auto& a, const auto& b) {
-                           return a.temperature < b.temperature;
-                         })->temperature;
+  const double coldest =
+      min_element(data, [](const auto& a, const auto& b) { return a.temperature < b.temperature; })->temperature;
   constexpr double usual_c1 = 8.86, usual_c2 = 101.6, farther = 1.5;  // than the coldest lies the pole
   const double c2 = std::max(usual_c2, farther * (shift.reference - coldest));
   if (shift.law == ShiftLaw::wlf && !(shift.c1 > 0)) {
@@ -150,8 +148,7 @@ MaterialFit fit_material(const std::vector<MeasuredModulus>& data, const Materia
   const auto same = [&](const MeasuredModulus& row) {
     return row.angular_frequency == data.front().angular_frequency && row.temperature == data.front().temperature;
   };
-  if (std::all_of(data.begin(), data.end(), same))
-    throw std::invalid_argument("the moduli are all at one frequency: too few for a material");
+  if (all_of(data, same)) throw std::invalid_argument("the moduli are all at one frequency: too few for a material");
   MaterialFitOptions wanted = options;
   if (options.free_shifts) {
     wanted.shift.law = ShiftLaw::table;
@@ -167,7 +164,7 @@ MaterialFit fit_material(const std::vector<MeasuredModulus>& data, const Materia
   };
   MaterialFit answer = options.free_shifts ? with_vertical_shifts(data, wanted, fit_with) : fit_with(wanted);
   const MasterCurve curve = master_curve_of(data, answer.shift);
-  const auto [lowest, highest] = std::minmax_element(curve.frequencies.begin(), curve.frequencies.end());
+  const auto [lowest, highest] = minmax_element(curve.frequencies);
   if (*lowest < *highest) warn(answer.report, passivity_test(curve).in_words());
   warn(answer.report, swapped_moduli(curve.storage, curve.loss));
   if (!options.free_shifts) answer.shift.table.moduli = options.shift.table.moduli;

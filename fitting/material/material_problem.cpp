@@ -23,9 +23,8 @@ constexpr Quantity log_vertical{"log10_b_T", "log b_T", "1", "vertical shift of 
 }  // namespace
 
 std::size_t nearest_step(const std::vector<double>& temperatures, double temperature) {
-  const auto nearest = std::min_element(temperatures.begin(), temperatures.end(), [&](double a, double b) {
-    return std::abs(a - temperature) < std::abs(b - temperature);
-  });
+  const auto nearest = min_element(
+      temperatures, [&](double a, double b) { return std::abs(a - temperature) < std::abs(b - temperature); });
   return static_cast<std::size_t>(nearest - temperatures.begin());
 }
 

@@ -105,8 +105,7 @@ void leave_out_priors(FitReport& report) {
   const auto size = [](const FittedValue& a, const FittedValue& b) {
     return std::abs(a.residual) < std::abs(b.residual);
   };
-  report.largest_residual = static_cast<std::size_t>(
-      std::max_element(report.values.begin(), report.values.end(), size) - report.values.begin());
+  report.largest_residual = static_cast<std::size_t>(max_element(report.values, size) - report.values.begin());
   if (!report.slopes.found()) return;
   const Eigen::Index rows = std::ssize(report.values);
   for (Eigen::MatrixXd* const matrix : {&report.slopes.derivatives, &report.slopes.errors})

@@ -33,7 +33,7 @@ std::string open_between_rows(const std::vector<MeasuredModulus>& data, const Ma
   constexpr double noticeable = 0.1;
   constexpr int pieces = 200;
   const MasterCurve curve = master_curve_of(data, found.shift);
-  const auto [lowest, highest] = std::minmax_element(curve.frequencies.begin(), curve.frequencies.end());
+  const auto [lowest, highest] = minmax_element(curve.frequencies);
   if (!(*lowest < *highest)) return "";
   const PronySeries smooth = fit_master_curve(curve).series;
   double largest = 0, where = 0;

@@ -50,7 +50,7 @@ TemperatureShift linear_shift(const std::vector<MeasuredShift>& data, Temperatur
 }  // namespace
 
 double reference_of(const std::vector<MeasuredShift>& data) {
-  const auto nearest = std::min_element(data.begin(), data.end(), [](const MeasuredShift& a, const MeasuredShift& b) {
+  const auto nearest = min_element(data, [](const MeasuredShift& a, const MeasuredShift& b) {
     return std::abs(std::log(a.factor)) < std::abs(std::log(b.factor));
   });
   return nearest->temperature;
@@ -58,8 +58,8 @@ double reference_of(const std::vector<MeasuredShift>& data) {
 
 std::optional<double> take_reference(std::vector<MeasuredShift>& data) {
   const auto is_reference = [](const MeasuredShift& row) { return row.factor == 1; };
-  if (std::count_if(data.begin(), data.end(), is_reference) != 1) return std::nullopt;
-  const auto row = std::find_if(data.begin(), data.end(), is_reference);
+  if (count_if(data, is_reference) != 1) return std::nullopt;
+  const auto row = find_if(data, is_reference);
   const double temperature = row->temperature;
   data.erase(row);
   return temperature;

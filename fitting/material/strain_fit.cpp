@@ -38,15 +38,13 @@ MaterialInputs layer_at(const FitPoint& point) {
 /// Where G' has lost half of what it loses within the sweep. @param data  in rising order of their amplitudes
 std::size_t row_of_half(const std::vector<MeasuredStrain>& data) {
   const double half = (data.front().storage + data.back().storage) / 2;
-  const auto row =
-      std::find_if(data.begin(), data.end(), [&](const MeasuredStrain& other) { return other.storage <= half; });
+  const auto row = find_if(data, [&](const MeasuredStrain& other) { return other.storage <= half; });
   return std::min(static_cast<std::size_t>(row - data.begin()), data.size() - 1);
 }
 
 /// The drop within the sweep and a quarter more: a sweep rarely shows all of it.
 std::vector<FitParameter> parameters_of(std::vector<MeasuredStrain> data) {
-  std::stable_sort(data.begin(), data.end(),
-                   [](const MeasuredStrain& a, const MeasuredStrain& b) { return a.amplitude < b.amplitude; });
+  stable_sort(data, [](const MeasuredStrain& a, const MeasuredStrain& b) { return a.amplitude < b.amplitude; });
   const MeasuredStrain &first = data.front(), &middle = data[row_of_half(data)];
   const double drop = 1.25 * (1 - data.back().storage / first.storage), peak = middle.loss / first.loss;
   return {parameter(storage_modulus, 1.02 * first.storage),

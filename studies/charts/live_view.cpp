@@ -45,7 +45,7 @@ Shown shown_of(const StudyDefinition& definition, const StudyOutline& study, con
   if (!chart.x.empty()) shown.x = column(chart.x);
   std::vector<std::pair<std::size_t, const QuantityColumn*>> axes;
   for (const std::string& key : study.axes) axes.emplace_back(rows.values(*column(key)).size(), column(key));
-  std::stable_sort(axes.begin(), axes.end(), [](const auto& a, const auto& b) { return a.first > b.first; });
+  stable_sort(axes, [](const auto& a, const auto& b) { return a.first > b.first; });
   for (const auto& [values, axis] : axes)
     if (!shown.x && axis->type == "REAL") shown.x = axis;
   if (!chart.family.empty()) shown.family = column(chart.family);

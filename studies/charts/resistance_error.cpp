@@ -1,6 +1,5 @@
 #include "studies/charts/resistance_error.hpp"
 
-#include <algorithm>
 #include <cmath>
 
 namespace rollres {
@@ -18,7 +17,7 @@ ResistanceError::ResistanceError(const QuantityColumn& column) {
   Formula formula(is_resistance(column.name) ? column.name : std::string(column.quantity.meaning),
                   FormulaNames::inputs_and_outputs);
   const std::vector<std::string>& keys = formula.keys();
-  if (std::any_of(keys.begin(), keys.end(), is_resistance)) formula_ = std::move(formula);
+  if (any_of(keys, is_resistance)) formula_ = std::move(formula);
 }
 
 double ResistanceError::operator()(const StudyRows& rows, std::size_t row) const {

@@ -1,7 +1,5 @@
 #include "studies/charts/shown_study.hpp"
 
-#include <algorithm>
-
 #include "core/scene/scene_input.hpp"
 #include "studies/text/readable_number.hpp"
 #include "studies/text/units.hpp"
@@ -19,9 +17,7 @@ StudyDefinition definition_of(ResultStore& store, const std::string& study) {
 std::vector<std::string> names_of(ResultStore& store, const StudyChartOptions& options) {
   std::vector<std::string> names{stored_study_name(store, options.study)};
   for (const std::string& more : options.more_studies)
-    if (const std::string name = stored_study_name(store, more);
-        std::find(names.begin(), names.end(), name) == names.end())
-      names.push_back(name);
+    if (const std::string name = stored_study_name(store, more); !contains(names, name)) names.push_back(name);
   return names;
 }
 
@@ -34,7 +30,7 @@ StudyOutline outline_of(ResultStore& store, const std::vector<std::string>& name
   for (std::size_t i = 1; i < names.size(); ++i) {
     const StudyOutline one = stored_outline(store, names[i]);
     for (const std::string& axis : one.axes)
-      if (std::find(all.axes.begin(), all.axes.end(), axis) == all.axes.end()) all.axes.push_back(axis);
+      if (!contains(all.axes, axis)) all.axes.push_back(axis);
     all.points += one.points;
   }
   return all;
@@ -116,7 +112,7 @@ std::string fixed_in_words(const std::vector<Filter>& filters, const StudyRows& 
           (text.empty() ? "" : ", ") + name + " = " + value_in_words(column.quantity, *value, unit_in(rows, column));
   };
   const auto filtered = [&](std::string_view key) {
-    return std::any_of(filters.begin(), filters.end(), [&](const Filter& filter) {
+    return any_of(filters, [&](const Filter& filter) {
       const QuantityColumn* const of = find_quantity_column(filter.column);
       return filter.column == key || (of && of->quantity.key == key);
     });

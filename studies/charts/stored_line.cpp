@@ -1,6 +1,5 @@
 #include "studies/charts/stored_line.hpp"
 
-#include <algorithm>
 #include <stdexcept>
 
 #include "core/derivatives/objective.hpp"
@@ -75,7 +74,7 @@ StoredLine stored_line(ResultStore& store, const ShownStudy& shown, const std::v
     else
       ++line.left_out;
   }
-  std::stable_sort(line.points.begin(), line.points.end(), [&](const auto& a, const auto& b) {
+  stable_sort(line.points, [&](const auto& a, const auto& b) {
     return real_input(a.scene, line.axis->quantity.key) < real_input(b.scene, line.axis->quantity.key);
   });
   return line;

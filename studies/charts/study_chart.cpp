@@ -75,9 +75,7 @@ bool scatters(const StudyDefinition& definition, const QuantityColumn& column) {
 Choice choose(const ShownStudy& shown, const StudyChart& hints, const StudyChartOptions& options) {
   const auto& [file, study, definition, rows] = shown;
   Choice choice = wished(shown, hints, options);
-  const auto taken = [&](const QuantityColumn* column) {
-    return std::find(choice.families.begin(), choice.families.end(), column) != choice.families.end();
-  };
+  const auto taken = [&](const QuantityColumn* column) { return contains(choice.families, column); };
   const QuantityColumn* longest = nullptr;
   std::size_t most = 0;
   std::vector<const QuantityColumn*> axes;

@@ -16,9 +16,8 @@ std::vector<const QuantityColumn*> longest_axes(const StudyOutline& study, const
   for (const std::string& key : study.axes)
     if (const QuantityColumn& column = column_of(key, study, rows, "axis"); column.type != "TEXT")
       axes.push_back(&column);
-  std::stable_sort(axes.begin(), axes.end(), [&](const auto* one, const auto* other) {
-    return rows.values(*one).size() > rows.values(*other).size();
-  });
+  stable_sort(
+      axes, [&](const auto* one, const auto* other) { return rows.values(*one).size() > rows.values(*other).size(); });
   return axes;
 }
 

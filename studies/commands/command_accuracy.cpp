@@ -1,4 +1,3 @@
-#include <algorithm>
 #include <ostream>
 #include <stdexcept>
 
@@ -38,8 +37,7 @@ std::vector<std::string> names_of(const std::vector<std::string>& files) {
   for (const std::string& file : files) {
     const std::string stem = std::filesystem::path(file).stem().string();
     std::string name = stem;
-    for (int number = 2; std::find(names.begin(), names.end(), name) != names.end(); ++number)
-      name = stem + "_" + std::to_string(number);
+    for (int number = 2; contains(names, name); ++number) name = stem + "_" + std::to_string(number);
     names.push_back(name);
   }
   return names;
@@ -47,22 +45,16 @@ std::vector<std::string> names_of(const std::vector<std::string>& files) {
 
 Json object_of(const AccuracyReport& report) {
   const AccuracyReference& reference = report.reference;
-  Json object{{"scene", report.name},
-              {"reference", nullptr},
-              {"trends", Json::array()},
-              {"points", json_of(accuracy_rows({report}))}};
+  Json object = json_object("scene", report.name, "reference", nullptr, "trends", Json::array(), "points",
+                            json_of(accuracy_rows({report})));
   if (reference.found())
-    object["reference"] = {{"rolling_resistance", reference.rolling_resistance},
-                           {"method", name_of(reference.method)},
-                           {"spacing", finite_or_null(reference.spacing)},
-                           {"contact_nodes", reference.contact_nodes},
-                           {"extrapolated", reference.extrapolated},
-                           {"uncertainty", finite_or_null(reference.uncertainty)}};
+    object["reference"] =
+        json_object("rolling_resistance", reference.rolling_resistance, "method", name_of(reference.method), "spacing",
+                    reference.spacing, "contact_nodes", reference.contact_nodes, "extrapolated", reference.extrapolated,
+                    "uncertainty", reference.uncertainty);
   for (const AccuracyTrend& trend : report.trends)
-    object["trends"].push_back({{"method", name_of(trend.method)},
-                                {"order", finite_or_null(trend.order)},
-                                {"order_deviation", finite_or_null(trend.order_deviation)},
-                                {"growth", finite_or_null(trend.growth)}});
+    object["trends"].push_back(json_object("method", name_of(trend.method), "order", trend.order, "order_deviation",
+                                           trend.order_deviation, "growth", trend.growth));
   return object;
 }
 
@@ -93,10 +85,8 @@ void random_accuracy(const AccuracyArguments& arguments, Session& session) {
   write_file(file, csv_of(judged_table(report.solutions)));
   const Table table = random_accuracy_table(counts_of(report.solutions));
   if (arguments.json) {
-    session.out << text_of(Json{{"seed", plan.seed},
-                                {"interrupted", report.interrupted},
-                                {"results", json_of(table)},
-                                {"files", {file.string()}}},
+    session.out << text_of(json_object("seed", plan.seed, "interrupted", report.interrupted, "results", json_of(table),
+                                       "files", Json::array({file.string()})),
                            2)
                 << '\n';
   } else {

@@ -1,4 +1,3 @@
-#include <algorithm>
 #include <ostream>
 #include <stdexcept>
 
@@ -7,6 +6,7 @@
 #include "studies/charts/study_chart.hpp"
 #include "studies/program/commands.hpp"
 #include "studies/stored_fits/fit_chart.hpp"
+#include "studies/stored_fits/stored_fit.hpp"
 #include "studies/text/readable_number.hpp"
 #include "studies/text/words.hpp"
 
@@ -102,20 +102,11 @@ void draw(ChartArguments arguments, ResultStore& store, Session& session) {
   draw_map(arguments, store, session);
 }
 
-/// The wished name; of one of several charts it ends with the chart's.
-std::filesystem::path one_of_several(const std::filesystem::path& out, const std::string& chart) {
-  const std::filesystem::path script = chart_files(out).script;  // its suffix is known
-  return script.parent_path() / (script.stem().string() + "_" + file_name(chart) + ".svg");
-}
-
 /// The name of the fit that is meant: one of a study's name is meant by --fit alone.
 std::string fit_meant(const ChartArguments& arguments, ResultStore& store) {
   if (!arguments.fit.empty()) return arguments.fit;
-  const std::vector<FitSummary> fits = stored_fits(store.database());
-  if (arguments.studies.empty()) return store.study_names().empty() && fits.size() == 1 ? fits.front().name : "";
-  const std::string& name = arguments.studies.front();
-  const bool is_fit = std::any_of(fits.begin(), fits.end(), [&](const FitSummary& fit) { return fit.name == name; });
-  return is_fit && !store.definition(name) ? name : "";
+  const auto fit = meant_fit(store, arguments.studies.empty() ? "" : arguments.studies.front(), FitParts::without_data);
+  return fit ? fit->name : "";
 }
 
 void refuse_for_a_fit(const ChartArguments& arguments) {
@@ -136,13 +127,7 @@ void refuse_for_a_fit(const ChartArguments& arguments) {
 void draw_fit(const ChartArguments& arguments, const std::string& name, ResultStore& store, Session& session) {
   refuse_for_a_fit(arguments);
   const std::optional<FitRecord> fit = find_fit(store.database(), name, FitParts::with_data);
-  if (!fit) {
-    std::vector<std::string> known;
-    for (const FitSummary& one : stored_fits(store.database())) known.push_back(one.name);
-    const std::vector<std::string_view> names(known.begin(), known.end());
-    throw std::invalid_argument(
-        unknown(arguments.databases.front() + ": --fit = " + name + ": no such fit", names, name));
-  }
+  if (!fit) refuse_fit(store.database(), name, arguments.databases.front() + ": --fit = ");
   const std::vector<FitChart> charts = fit_charts(*fit);
   if (charts.empty()) throw std::invalid_argument(name + ": this fit has no answer that could be drawn");
   const std::string& wanted = arguments.options.chart;
@@ -172,8 +157,7 @@ void chart(ChartArguments arguments, Session& session) {
   options.y_scale = scale_named(arguments.y_scale);
   options.map_scale = scale_named(arguments.map_scale);
   const GatheredDatabases gathered(arguments.databases);
-  for (const auto& [file, name, here] : gathered.renamed())
-    session.err << file << ": study " << name << " is defined otherwise and comes as " << here << '\n';
+  session.err << gathered.renamed_in_words();
   ResultStore store(gathered.file(), Access::read);
   if (const std::string fit = fit_meant(arguments, store); !fit.empty())
     return draw_fit(arguments, fit, store, session);

@@ -6,6 +6,7 @@
 #include "studies/program/commands.hpp"
 #include "studies/stored/study_rows.hpp"
 #include "studies/stored_fits/stored_comparison.hpp"
+#include "studies/stored_fits/stored_fit.hpp"
 #include "studies/text/readable_number.hpp"
 #include "studies/text/table_json.hpp"
 #include "studies/text/table_output.hpp"
@@ -56,23 +57,16 @@ void print_summary(std::ostream& out, const StudyComparison& comparison) {
 }
 
 Json report_of(const StudyComparison& comparison, const CompareArguments& arguments) {
-  Json object{{"first", arguments.studies.front()},
-              {"second", arguments.studies.back()},
-              {"compared", Json::array()},
-              {"matched", comparison.matched},
-              {"only_first", comparison.only_first},
-              {"only_second", comparison.only_second},
-              {"half_answered", comparison.half_answered},
-              {"unanswered", comparison.unanswered},
-              {"outputs", Json::array()}};
+  Json object = json_object("first", arguments.studies.front(), "second", arguments.studies.back(), "compared",
+                            Json::array(), "matched", comparison.matched, "only_first", comparison.only_first,
+                            "only_second", comparison.only_second, "half_answered", comparison.half_answered,
+                            "unanswered", comparison.unanswered, "outputs", Json::array());
   for (const ComparedInput& input : comparison.compared)
     object["compared"].push_back(
         {{"key", input.key}, {"first", json_of(input.first)}, {"second", json_of(input.second)}});
   for (const OutputDifference& output : comparison.outputs)
-    object["outputs"].push_back({{"output", output.output},
-                                 {"points", output.points},
-                                 {"largest", json_of(Cell(output.largest))},
-                                 {"rms", json_of(Cell(output.rms))}});
+    object["outputs"].push_back(json_object("output", output.output, "points", output.points, "largest",
+                                            json_of(Cell(output.largest)), "rms", json_of(Cell(output.rms))));
   if (arguments.within) object["within"] = comparison.within(*arguments.within);
   object["differences"] = json_of(table_of(comparison, arguments.limit));
   return object;
@@ -98,11 +92,7 @@ std::optional<StoredComparison> compared_fits(const CompareArguments& arguments)
   if (!a && !b) return std::nullopt;
   for (const auto& [found, name, store] : {std::tuple(a.has_value(), arguments.studies.front(), &first),
                                            {b.has_value(), arguments.studies.back(), &second}}) {
-    if (found) continue;
-    std::vector<std::string> known;
-    for (const FitSummary& fit : stored_fits(store->database())) known.push_back(fit.name);
-    const std::vector<std::string_view> names(known.begin(), known.end());
-    throw std::invalid_argument(unknown(store->database().name() + ": " + name + ": no such fit", names, name));
+    if (!found) refuse_fit(store->database(), name, store->database().name() + ": ");
   }
   if (arguments.studies.size() == 1 && arguments.other_database.empty())
     throw std::invalid_argument("fit = " + a->name + ": needs a second fit, or a second database with --with");

@@ -30,9 +30,8 @@ using TimedFiles = std::map<std::string, std::vector<TimedFile>>;
 
 std::string chosen_axis(const StudyOutline& study, const std::string& wish) {
   if (wish.empty()) return study.axes.empty() ? "" : study.axes.front();
-  if (std::find(study.axes.begin(), study.axes.end(), wish) != study.axes.end()) return wish;
-  const std::vector<std::string_view> names(study.axes.begin(), study.axes.end());
-  throw std::invalid_argument("--axis = " + wish + ": " + unknown("is no axis of " + study.name, names, wish));
+  if (contains(study.axes, wish)) return wish;
+  throw std::invalid_argument("--axis = " + wish + ": " + unknown("is no axis of " + study.name, study.axes, wish));
 }
 
 std::string unit_of_input(std::string_view key, const RollingScene& scene) {
@@ -120,10 +119,10 @@ FieldCollections write_field_collections(ResultStore& store, const StudyOutline&
     collections = std::move(all);
   }
   for (auto& [others, files] : collections) {
-    std::stable_sort(files.begin(), files.end(), [](const auto& a, const auto& b) { return a.time < b.time; });
+    stable_sort(files, [](const auto& a, const auto& b) { return a.time < b.time; });
     const std::string name = file_name(study.name + others);
     std::filesystem::path file = directory / (name + ".pvd");
-    for (int again = 2; std::find(written.files.begin(), written.files.end(), file) != written.files.end(); ++again)
+    for (int again = 2; contains(written.files, file); ++again)
       file = directory / (name + "_" + std::to_string(again) + ".pvd");  // names that had to be cut
     written.files.push_back(file);
     write_file(written.files.back(), collection_text(files));

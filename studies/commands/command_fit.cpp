@@ -1,4 +1,3 @@
-#include <algorithm>
 #include <chrono>
 #include <cmath>
 #include <ostream>
@@ -188,6 +187,22 @@ FitOptions& options_of(File& file) {
     return file.options;
 }
 
+/// Does one of two things with a fit's file: `alone`, with what reads and makes a fit of no scenes, or `of_scenes`.
+template <class Alone, class OfScenes>
+auto by_kind(const std::string& fit, const Alone& alone, const OfScenes& of_scenes) {
+  switch (kind_of_fit(fit)) {
+    case FitKind::shift:
+      return alone(read_shift_fit, make_shift_fit);
+    case FitKind::strain:
+      return alone(read_strain_fit, make_strain_fit);
+    case FitKind::material:
+      return alone(read_material_fit, make_material_fit);
+    case FitKind::resistance:
+      break;
+  }
+  return of_scenes();
+}
+
 /// A fit of no scenes: read, made, told and drawn.
 template <class Read, class Make>
 void fit_alone(const FitArguments& arguments, Session& session, const Read& read, const Make& make) {
@@ -252,21 +267,13 @@ void compare_fits(const FitArguments& given, Session& session) {
     if (signal.requested()) break;
     FitArguments arguments = given;
     arguments.fit = fit;
-    if (is_shift_fit(fit)) {
-      ShiftFile file = read_shift_fit(fit);
-      file.options.stop = &signal.requested();
-      fits.push_back(make_shift_fit(arguments, file, session).candidate);
-    } else if (is_strain_fit(fit)) {
-      StrainFile file = read_strain_fit(fit);
-      file.options.stop = &signal.requested();
-      fits.push_back(make_strain_fit(arguments, file, session).candidate);
-    } else if (is_material_fit(fit)) {
-      MaterialFile file = read_material_fit(fit);
-      file.options.options.stop = &signal.requested();
-      fits.push_back(make_material_fit(arguments, std::move(file), session).candidate);
-    } else {
-      fits.push_back(make_resistance_fit(arguments, read_fit(fit), stored, signal, session).candidate);
-    }
+    const auto alone = [&](const auto& read, const auto& make) {
+      auto file = read(fit);
+      options_of(file).stop = &signal.requested();
+      return make(arguments, std::move(file), session);
+    };
+    const auto of_scenes = [&] { return make_resistance_fit(arguments, read_fit(fit), stored, signal, session); };
+    fits.push_back(by_kind(fit, alone, of_scenes).candidate);
     session.err << fit << ": " << name_of(fits.back().report.status) << '\n';
   }
   if (fits.size() < given.fits.size()) throw std::runtime_error("interrupted: the fits that were made are stored");
@@ -286,10 +293,9 @@ void run_fit(const FitArguments& given, Session& session) {
   arguments.fit = given.fits.front();
   if (!arguments.predict.scenes.empty() && !std::filesystem::exists(arguments.fit))
     return predict_by_stored_fit(arguments.fit, arguments.database, arguments.prediction(), session);
-  if (is_shift_fit(arguments.fit)) return fit_alone(arguments, session, read_shift_fit, make_shift_fit);
-  if (is_strain_fit(arguments.fit)) return fit_alone(arguments, session, read_strain_fit, make_strain_fit);
-  if (is_material_fit(arguments.fit)) return fit_alone(arguments, session, read_material_fit, make_material_fit);
-  fit_resistance(arguments, session);
+  by_kind(
+      arguments.fit, [&](const auto& read, const auto& make) { fit_alone(arguments, session, read, make); },
+      [&] { fit_resistance(arguments, session); });
 }
 
 }  // namespace

@@ -116,18 +116,9 @@ struct ExportArguments {
   bool json = false;
 };
 
-/// A fit, where the name is one of a fit alone.
-std::optional<FitRecord> fit_to_export(const ExportArguments& arguments) {
-  ResultStore store(arguments.database, Access::read);
-  std::string name = arguments.study;
-  if (const auto fits = stored_fits(store.database()); name.empty() && store.study_names().empty() && fits.size() == 1)
-    name = fits.front().name;
-  if (name.empty() || store.definition(name)) return std::nullopt;
-  return find_fit(store.database(), name, FitParts::with_data);
-}
-
 void export_one(const ExportArguments& arguments, Session& session) {
-  if (const auto fit = fit_to_export(arguments)) {
+  ResultStore store(arguments.database, Access::read);
+  if (const auto fit = meant_fit(store, arguments.study, FitParts::with_data)) {
     session.out << arguments.folder << ": " << joined(export_fit(*fit, arguments.folder)) << '\n';
     return;
   }

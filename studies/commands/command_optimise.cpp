@@ -1,4 +1,3 @@
-#include <algorithm>
 #include <ostream>
 #include <stdexcept>
 
@@ -6,9 +5,7 @@
 #include "studies/optimise/design_file.hpp"
 #include "studies/optimise/design_records.hpp"
 #include "studies/optimise/optimise_report.hpp"
-#include "studies/program/commands.hpp"
-#include "studies/run/progress.hpp"
-#include "studies/run/stop_signal.hpp"
+#include "studies/program/watched_run.hpp"
 #include "studies/study/study_definition.hpp"
 #include "studies/study/study_scene.hpp"
 #include "studies/text/readable_number.hpp"
@@ -49,7 +46,7 @@ std::string store_front(ResultStore& store, std::span<const DesignProblem> probl
   for (const ParetoPoint& point : front.points)
     if (point.report.best && !point.dominated)
       for (const std::string& key : point.report.best->keys)
-        if (std::find(keys.begin(), keys.end(), key) == keys.end()) {
+        if (!contains(keys, key)) {
           keys.push_back(key);
           variants.push_back(problems[point.choice].variant());
         }
@@ -74,9 +71,7 @@ void run_optimise(const OptimiseArguments& arguments, Session& session) {
   for (const Variable& variable : problem.variables) study.axes.emplace_back(variable.quantity.key);
   const StopSignal signal;
   StoredEvaluations evaluations(session.evaluate, arguments.database, study, &signal.requested(),
-                                {arguments.replace, [&](const Redefinition& redefined) {
-                                   session.err << study.name << ": defined anew: " << redefined.in_words() << '\n';
-                                 }});
+                                {arguments.replace, tell_redefined(study.name, session)});
 
   OptimiseOptions options{.jobs = arguments.jobs};
   StatusLine line(session.err);
@@ -84,6 +79,15 @@ void run_optimise(const OptimiseArguments& arguments, Session& session) {
 
   const auto keep = [&](const std::vector<DesignRecord>& designs) {
     ResultStore(arguments.database).set_designs(study.name, designs);
+  };
+  const auto tell = [&](const auto& asked, const auto& report, bool found, const auto& chart, bool complete,
+                        const std::string& more = "") {
+    if (arguments.json)
+      session.out << text_of(json_of(asked, report), 2) << '\n';
+    else
+      print_text(asked, report, session.out), session.out << more;
+    if (!arguments.out.empty() && found) draw(chart(), study, arguments, session);
+    if (!complete) session.status = ExitStatus::no_answer;
   };
   if (problem.pareto) {
     const ParetoReport front = pareto_front(problems, evaluations, options);
@@ -93,38 +97,22 @@ void run_optimise(const OptimiseArguments& arguments, Session& session) {
     keep(designs);
     ResultStore store(arguments.database);
     const std::string stored = store_front(store, problems, study, front, designs);
-    if (arguments.json) {
-      session.out << text_of(json_of(problems, front), 2) << '\n';
-    } else {
-      print_text(problems, front, session.out);
-      session.out << "the front is stored as study \"" << stored << "\"\n";
-    }
-    if (!arguments.out.empty() && front.any()) draw(front_chart(problems, front), study, arguments, session);
-    if (!front.complete()) session.status = ExitStatus::no_answer;
-    return;
+    return tell(
+        problems, front, front.any(), [&] { return front_chart(problems, front); }, front.complete(),
+        "the front is stored as study \"" + stored + "\"\n");
   }
   if (!problem.chosen.empty()) {
     const ChoicesReport report = optimise_choices(problems, evaluations, options);
     line.clear();
     keep(design_records(problems, report.reports));
-    if (arguments.json)
-      session.out << text_of(json_of(problems, report), 2) << '\n';
-    else
-      print_text(problems, report, session.out);
-    if (!arguments.out.empty() && report.best)
-      draw(course_chart(problems[*report.best], report.reports[*report.best]), study, arguments, session);
-    if (report.status != DesignStatus::optimum) session.status = ExitStatus::no_answer;
-    return;
+    const auto chart = [&] { return course_chart(problems[*report.best], report.reports[*report.best]); };
+    return tell(problems, report, report.best.has_value(), chart, report.status == DesignStatus::optimum);
   }
   const OptimiseReport report = optimise(problem, evaluations, options);
   line.clear();
   keep(design_records({&problem, 1}, {&report, 1}));
-  if (arguments.json)
-    session.out << text_of(json_of(problem, report), 2) << '\n';
-  else
-    print_text(problem, report, session.out);
-  if (!arguments.out.empty() && report.best) draw(course_chart(problem, report), study, arguments, session);
-  if (report.status != DesignStatus::optimum) session.status = ExitStatus::no_answer;
+  const auto chart = [&] { return course_chart(problem, report); };
+  tell(problem, report, report.best.has_value(), chart, report.status == DesignStatus::optimum);
 }
 
 }  // namespace

@@ -1,4 +1,3 @@
-#include <algorithm>
 #include <ostream>
 #include <type_traits>
 
@@ -112,7 +111,7 @@ Table table_of(const std::vector<Row>& rows) {
   Table table;
   table.rows.resize(rows.size());
   for (std::size_t i = 0; i < columns.size(); ++i) {
-    if (std::all_of(rows.begin(), rows.end(), [&](const Row& row) { return (row.*columns[i]).empty(); })) continue;
+    if (all_of(rows, [&](const Row& row) { return (row.*columns[i]).empty(); })) continue;
     table.columns.emplace_back(names[i]);
     for (std::size_t j = 0; j < rows.size(); ++j) table.rows[j].emplace_back(rows[j].*columns[i]);
   }

@@ -68,7 +68,7 @@ std::vector<std::string> choose_columns(const Database& database, Query& questio
   std::vector<std::string> droppable;
   question.columns = {"id"};
   const auto add = [&](const std::string& name) {
-    const bool there = std::find(question.columns.begin(), question.columns.end(), name) != question.columns.end();
+    const bool there = contains(question.columns, name);
     if (!there) question.columns.push_back(name);
     return !there;
   };
@@ -80,9 +80,9 @@ std::vector<std::string> choose_columns(const Database& database, Query& questio
     if (filter.comparison != Comparison::equal) named.push_back(filter.column);
   for (const std::string& name : question.sort) named.push_back(name.starts_with('-') ? name.substr(1) : name);
   for (const std::string& name : varied)
-    if (add(name) && std::find(named.begin(), named.end(), name) == named.end()) droppable.push_back(name);
+    if (add(name) && !contains(named, name)) droppable.push_back(name);
   for (const std::string& name : named) add(name);
-  if (std::find(named.begin(), named.end(), "goal") != named.end()) add("feasible");
+  if (contains(named, "goal")) add("feasible");
   for (const std::string& name : outputs_for(database, question))
     if (add(name) && name != "rolling_resistance") droppable.push_back(name);
   add("status");
@@ -161,8 +161,7 @@ void query(const QueryArguments& arguments, Session& session) {
     throw std::invalid_argument("--format = xlsx: needs --out FILE, a workbook is not printed");
   const StopSignal signal;
   const GatheredDatabases gathered(arguments.databases);
-  for (const auto& [file, name, here] : gathered.renamed())
-    session.err << file << ": study " << name << " is defined otherwise and comes as " << here << '\n';
+  session.err << gathered.renamed_in_words();
   Database database = open_database(gathered.file(), Access::read);
   database.stop_when(signal.requested());
   std::size_t found = 0;

@@ -3,9 +3,7 @@
 
 #include "studies/charts/scatter_chart.hpp"
 #include "studies/charts/study_chart.hpp"
-#include "studies/program/commands.hpp"
-#include "studies/run/stop_signal.hpp"
-#include "studies/run/sweep.hpp"
+#include "studies/program/watched_run.hpp"
 #include "studies/stored/scatter_report.hpp"
 #include "studies/study/study_outputs.hpp"
 #include "studies/text/table_json.hpp"
@@ -28,10 +26,8 @@ std::vector<std::string> usual_outputs(const Study& study) {
   const std::vector<std::string_view> numbers = number_outputs();
   std::vector<std::string> outputs;
   const auto add = [&](const std::string& key) {
-    const bool formula =
-        std::any_of(study.formulas.begin(), study.formulas.end(), [&](const auto& one) { return one.first == key; });
-    if ((formula || find_name(numbers, key) >= 0) && std::find(outputs.begin(), outputs.end(), key) == outputs.end())
-      outputs.push_back(key);
+    const bool formula = any_of(study.formulas, [&](const auto& one) { return one.first == key; });
+    if ((formula || find_name(numbers, key) >= 0) && !contains(outputs, key)) outputs.push_back(key);
   };
   for (const std::string& key : study.compute) add(key);
   for (const StudyChart& chart : study.charts) add(chart.y);
@@ -60,24 +56,12 @@ ScatterWish wish_of(const ScatterArguments& arguments, const Study& study) {
 }
 
 SweepReport solve(const Study& study, const ScatterArguments& arguments, Session& session) {
-  SweepOptions options{.jobs = arguments.jobs, .stop = &StopSignal::requested()};
+  const SweepOptions options{.jobs = arguments.jobs,
+                             .retry = retry_named(arguments.retry),
+                             .replace = arguments.replace,
+                             .fields = study.fields ? Fields::kept : Fields::dropped};
   std::optional<StopSignal> signal;
-  options.ready = [&] { signal.emplace(); };
-  options.retry = retry_named(arguments.retry);
-  options.fields = study.fields ? Fields::kept : Fields::dropped;
-  options.replace = arguments.replace;
-  options.redefined = [&](const Redefinition& redefined) {
-    session.err << study.name << ": defined anew: " << redefined.in_words() << '\n';
-  };
-  StatusLine line(session.err);
-  if (line) options.report = [&](const SweepProgress& progress) { line.show(progress); };
-  return run_sweep(study, session.evaluate, arguments.database, options);
-}
-
-/// The name of one of several pictures, beside the one that was given.
-std::filesystem::path named(const std::string& out, const std::string& ending) {
-  const std::filesystem::path script = chart_files(out).script;  // its suffix is known
-  return script.parent_path() / (script.stem().string() + "_" + file_name(ending) + ".svg");
+  return watched_sweep(study, arguments.database, options, signal, session);
 }
 
 void draw(const ScatterReport& report, const ScatterArguments& arguments, Session& session) {
@@ -99,8 +83,8 @@ void draw(const ScatterReport& report, const ScatterArguments& arguments, Sessio
     }
     picture.ordered = report.study.axes.size() == 1 && report.study.axes.front().texts.empty();
     if (report.results.places.size() <= most_curves) {
-      name(draw_chart(histogram_chart(picture), named(arguments.out, ending + "histogram")));
-      name(draw_chart(cumulative_chart(picture), named(arguments.out, ending + "cumulative")));
+      name(draw_chart(histogram_chart(picture), one_of_several(arguments.out, ending + "histogram")));
+      name(draw_chart(cumulative_chart(picture), one_of_several(arguments.out, ending + "cumulative")));
     } else {
       session.err << "no histogram of " << report.results.places.size() << " places: rollres query has their numbers\n";
     }

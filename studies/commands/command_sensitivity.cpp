@@ -1,13 +1,10 @@
-#include <algorithm>
 #include <cmath>
 #include <mutex>
 #include <ostream>
 
 #include "studies/drawing/bar_chart.hpp"
 #include "studies/optimise/optimise_report.hpp"
-#include "studies/program/commands.hpp"
-#include "studies/run/progress.hpp"
-#include "studies/run/stop_signal.hpp"
+#include "studies/program/watched_run.hpp"
 #include "studies/scene_io/scene_file.hpp"
 #include "studies/sensitivity/global_sensitivity.hpp"
 #include "studies/sensitivity/gradient_report.hpp"
@@ -104,7 +101,7 @@ struct GlobalFindings {
   Json summary;  // of the run
 
   void sort() {
-    std::stable_sort(inputs.begin(), inputs.end(), [](const auto& a, const auto& b) { return a.size > b.size; });
+    stable_sort(inputs, [](const auto& a, const auto& b) { return a.size > b.size; });
     for (const InputFinding& input : inputs) table.rows.push_back(input.cells);
   }
 };
@@ -165,11 +162,8 @@ void global_sensitivity(const SensitivityArguments& arguments, Session& session)
   } else {
     StudyRecord study{problem.name + " " + arguments.indices, {}, standalone_study(arguments.file)};
     for (const Variable& variable : problem.variables) study.axes.emplace_back(variable.quantity.key);
-    const auto tell = [&, name = study.name](const Redefinition& redefined) {
-      session.err << name << ": defined anew: " << redefined.in_words() << '\n';
-    };
     evaluations.emplace(session.evaluate, arguments.database, study, &signal.requested(),
-                        StudyStart{arguments.replace, tell});
+                        StudyStart{arguments.replace, tell_redefined(study.name, session)});
   }
   std::optional<StatusLine> line(session.err);
   std::mutex one_at_a_time;
@@ -198,11 +192,9 @@ void global_sensitivity(const SensitivityArguments& arguments, Session& session)
   const EvaluationCount count = evaluations->count();
   const std::string unit = problem.unit(problem.goal.formula);
   if (arguments.json) {
-    Json object{{"output", problem.goal.formula.text()},
-                {"unit", unit},
-                {"indices", arguments.indices},
-                {"seed", arguments.seed},
-                {"evaluations", {{"solved", count.solved}, {"recalled", count.recalled}, {"failed", count.failed}}}};
+    Json object = json_object("output", problem.goal.formula.text(), "unit", unit, "indices", arguments.indices, "seed",
+                              arguments.seed, "evaluations",
+                              json_object("solved", count.solved, "recalled", count.recalled, "failed", count.failed));
     object.update(findings.summary);
     object["inputs"] = json_of(findings.table);
     session.out << text_of(object, 2) << '\n';

@@ -1,4 +1,3 @@
-#include <algorithm>
 #include <charconv>
 #include <ostream>
 
@@ -24,22 +23,15 @@ namespace rollres {
 namespace {
 
 Json summary_json(const StudySummary& study) {
-  return {{"study", study.name},      {"axes", study.axes},
-          {"points", study.points},   {"answered", study.answered},
-          {"failed", study.failed},   {"created", study.created},
-          {"started", study.started}, {"last_result", study.last_result},
-          {"note", study.note}};
+  return json_object("study", study.name, "axes", study.axes, "points", study.points, "answered", study.answered,
+                     "failed", study.failed, "created", study.created, "started", study.started, "last_result",
+                     study.last_result, "note", study.note);
 }
 
 struct ListArguments {
   std::string database;
   bool json = false;
 };
-
-/// "2013-05-01T12:00:00.000Z" to the second, as it is read.
-std::string to_the_second(const std::string& time) {
-  return time.empty() ? "" : time.substr(0, 10) + " " + time.substr(11, 8);
-}
 
 void list(const ListArguments& arguments, Session& session) {
   ResultStore store(arguments.database, Access::read);
@@ -57,7 +49,7 @@ void list(const ListArguments& arguments, Session& session) {
   }
   if (studies.empty()) return write_aligned(session.out, fits);
   Table table{{"study", "points", "answered", "failed", "created (UTC)", "last result (UTC)", "axes"}, {}};
-  const bool noted = std::any_of(studies.begin(), studies.end(), [](const auto& study) { return !study.note.empty(); });
+  const bool noted = any_of(studies, [](const auto& study) { return !study.note.empty(); });
   if (noted) table.columns.emplace_back("note");
   for (const StudySummary& study : studies) {
     table.rows.push_back({study.name, study.points, study.answered, study.failed, to_the_second(study.created),
@@ -99,9 +91,8 @@ std::string take_constants(Table& table, std::size_t first, const std::vector<st
   for (std::size_t i = table.columns.size(); table.rows.size() > 1 && i-- > first;) {
     const std::string name = table.columns[i].substr(0, table.columns[i].rfind(" ["));
     const Cell& value = table.rows.front()[i];
-    const bool same =
-        std::all_of(table.rows.begin(), table.rows.end(), [&](const auto& row) { return row[i] == value; });
-    if (!same || std::find(asked.begin(), asked.end(), name) != asked.end()) continue;
+    const bool same = all_of(table.rows, [&](const auto& row) { return row[i] == value; });
+    if (!same || contains(asked, name)) continue;
     if (!std::holds_alternative<std::monostate>(value))
       constants = name + " = " + with_unit_of(table.columns[i], value) + (constants.empty() ? "" : ", ") + constants;
     table.columns.erase(table.columns.begin() + static_cast<std::ptrdiff_t>(i));
@@ -116,7 +107,7 @@ constexpr std::int64_t most_designs = 20;
 /// goals are not stored. @param names  of the columns
 std::vector<std::string> best_first(ResultStore& store, const StudySummary& study,
                                     const std::vector<std::string>& names) {
-  const auto has = [&](const char* name) { return std::find(names.begin(), names.end(), name) != names.end(); };
+  const auto has = [&](const char* name) { return contains(names, name); };
   if (!has("goal") || !has("feasible")) return {};
   const Json file = parse_object(store.definition(study.name).value_or("{}"), store.database().name());
   std::vector<std::string> sort{"-feasible", file.contains("maximise") ? "-goal" : "goal"};
@@ -131,7 +122,7 @@ void show_study(const ShowArguments& arguments, ResultStore& store, const StudyS
   Query query{.filters = {{"study", Comparison::equal, study.name}}, .columns = {"position", "id"}};
   std::vector<std::string> names = query.columns;
   const auto add = [&](const std::string& column, const std::string& name) {
-    if (std::find(names.begin(), names.end(), name) != names.end()) return;
+    if (contains(names, name)) return;
     query.columns.push_back(column);
     names.push_back(name);
   };
@@ -215,24 +206,19 @@ void show(const ShowArguments& arguments, Session& session) {
     session.out << (arguments.json ? text_of(json_of(*fit), 2) + "\n" : fit_summary(*fit));
     return;
   }
-  if (const auto evaluation = store.find(arguments.what)) {
+  auto evaluation = store.find(arguments.what);
+  std::int64_t id = 0;
+  const char* end = arguments.what.data() + arguments.what.size();
+  if (!evaluation && std::from_chars(arguments.what.data(), end, id).ptr == end) evaluation = store.find(id);
+  if (evaluation) {
     show_evaluation(arguments, *evaluation, session);
     if (arguments.fields) export_fields(arguments, store, *evaluation, session);
     return;
   }
-  std::int64_t id = 0;
-  const char* end = arguments.what.data() + arguments.what.size();
-  if (std::from_chars(arguments.what.data(), end, id).ptr == end)
-    if (const auto evaluation = store.find(id)) {
-      show_evaluation(arguments, *evaluation, session);
-      if (arguments.fields) export_fields(arguments, store, *evaluation, session);
-      return;
-    }
   std::vector<std::string> all = store.study_names();
   for (const FitSummary& fit : stored_fits(store.database())) all.push_back(fit.name);
-  const std::vector<std::string_view> names(all.begin(), all.end());
-  throw std::invalid_argument(unknown(arguments.database + ": " + arguments.what + ": no such study, fit or evaluation",
-                                      names, arguments.what));
+  throw std::invalid_argument(
+      unknown(arguments.database + ": " + arguments.what + ": no such study, fit or evaluation", all, arguments.what));
 }
 
 }  // namespace

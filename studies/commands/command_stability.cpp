@@ -160,11 +160,8 @@ void relate(const StabilityArguments& arguments, Session& session) {
   write_file(file, csv_of(relation_trials_table(report.trials)));
   const Table table = relations_table(report.trials);
   if (arguments.json) {
-    session.out << text_of(Json{{"seed", plan.seed},
-                                {"interrupted", report.interrupted},
-                                {"results", json_of(table)},
-                                {"broken", broken},
-                                {"files", {file.string()}}},
+    session.out << text_of(json_object("seed", plan.seed, "interrupted", report.interrupted, "results", json_of(table),
+                                       "broken", broken, "files", Json::array({file.string()})),
                            2)
                 << '\n';
   } else {
@@ -176,8 +173,7 @@ void relate(const StabilityArguments& arguments, Session& session) {
                   << '\n';
   }
   if (report.interrupted) session.err << "interrupted: only part of the scenes was solved\n";
-  if (report.interrupted || std::any_of(report.trials.begin(), report.trials.end(), is_broken))
-    session.status = ExitStatus::no_answer;
+  if (report.interrupted || any_of(report.trials, is_broken)) session.status = ExitStatus::no_answer;
 }
 
 void stability(const StabilityArguments& arguments, Session& session) {
@@ -203,15 +199,9 @@ void stability(const StabilityArguments& arguments, Session& session) {
   files.insert(files.begin(), rows);
 
   if (arguments.json) {
-    Json object{{"out", folder.string()},
-                {"seed", plan.seed},
-                {"cylinders", plan.cylinders},
-                {"spheres", plan.spheres},
-                {"interrupted", report.interrupted},
-                {"seconds", report.seconds},
-                {"results", Json::array()},
-                {"failed", failed_files},
-                {"files", Json::array()}};
+    Json object = json_object("out", folder.string(), "seed", plan.seed, "cylinders", plan.cylinders, "spheres",
+                              plan.spheres, "interrupted", report.interrupted, "seconds", report.seconds, "results",
+                              Json::array(), "failed", failed_files, "files", Json::array());
     for (const StabilityCount& count : all) object["results"].push_back(object_of(count));
     for (const fs::path& file : files) object["files"].push_back(file.string());
     session.out << text_of(object, 2) << '\n';
@@ -223,9 +213,8 @@ void stability(const StabilityArguments& arguments, Session& session) {
                   << '\n';
   }
   if (report.interrupted) session.err << "interrupted: only part of the scenes was solved\n";
-  const bool bad = std::any_of(all.begin(), all.end(), [](const StabilityCount& count) {
-    return count[Outcome::wrong] + count[Outcome::crashed] > 0;
-  });
+  const bool bad =
+      any_of(all, [](const StabilityCount& count) { return count[Outcome::wrong] + count[Outcome::crashed] > 0; });
   if (bad || report.interrupted) session.status = ExitStatus::no_answer;
 }
 

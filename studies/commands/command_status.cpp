@@ -29,11 +29,8 @@ struct StatusArguments {
 };
 
 Json object_of(const std::string& name, const StudyStatus& status) {
-  Json object{{"study", name},
-              {"points", status.points},
-              {"converged", status.converged},
-              {"failed", status.failed},
-              {"missing", status.missing}};
+  Json object = json_object("study", name, "points", status.points, "converged", status.converged, "failed",
+                            status.failed, "missing", status.missing);
   if (!std::isnan(status.seconds_left)) object["seconds_left"] = status.seconds_left;
   return object;
 }

@@ -1,9 +1,6 @@
-#include <algorithm>
 #include <ostream>
 
-#include "studies/program/commands.hpp"
-#include "studies/run/stop_signal.hpp"
-#include "studies/run/sweep.hpp"
+#include "studies/program/watched_run.hpp"
 #include "studies/text/similar_texts.hpp"
 #include "studies/text/table_json.hpp"
 
@@ -21,10 +18,10 @@ struct SweepArguments {
 void print_json(std::ostream& out, const SweepReport& report, const std::vector<Failure>& failures,
                 const SweepArguments& arguments) {
   const StudySummary& study = report.study;
-  Json object{{"study", study.name},       {"db", arguments.database},    {"points", report.points},
-              {"dropped", report.dropped}, {"answered", report.answered}, {"recalled", report.recalled},
-              {"solved", report.solved},   {"failed", report.failed},     {"interrupted", report.interrupted},
-              {"seconds", report.seconds}, {"failures", Json::array()}};
+  Json object = json_object("study", study.name, "db", arguments.database, "points", report.points, "dropped",
+                            report.dropped, "answered", report.answered, "recalled", report.recalled, "solved",
+                            report.solved, "failed", report.failed, "interrupted", report.interrupted, "seconds",
+                            report.seconds, "failures", Json::array());
   if (!arguments.shard.empty()) object["shard"] = arguments.shard;
   for (const Failure& failure : failures)
     object["failures"].push_back({{"status", failure.status}, {"reason", failure.reason}, {"points", failure.points}});
@@ -38,16 +35,14 @@ std::vector<Failure> grouped(const std::vector<Failure>& failures) {
   reasons = with_ranges(reasons);
   std::vector<Failure> groups;
   for (std::size_t i = 0; i < failures.size(); ++i) {
-    const auto same = std::find_if(groups.begin(), groups.end(), [&](const Failure& group) {
-      return group.status == failures[i].status && group.reason == reasons[i];
-    });
+    const auto same = find_if(
+        groups, [&](const Failure& group) { return group.status == failures[i].status && group.reason == reasons[i]; });
     if (same != groups.end())
       same->points += failures[i].points;
     else
       groups.push_back({failures[i].status, reasons[i], failures[i].points});
   }
-  std::stable_sort(groups.begin(), groups.end(),
-                   [](const Failure& a, const Failure& b) { return a.points > b.points; });
+  stable_sort(groups, [](const Failure& a, const Failure& b) { return a.points > b.points; });
   return groups;
 }
 
@@ -73,29 +68,16 @@ void print_summary(Session& session, const SweepReport& report, const std::vecto
 void sweep(const SweepArguments& given, Session& session) {
   SweepArguments arguments = given;
   const Study study = read_study(arguments.study);
-  SweepOptions options;
-  options.jobs = arguments.jobs;
-  std::optional<StopSignal> signal;  // until the first point there is nothing to bring home: a signal ends the program
-  options.ready = [&] { signal.emplace(); };
-  options.stop = &StopSignal::requested();
+  SweepOptions options{.jobs = arguments.jobs, .retry = retry_named(arguments.retry), .replace = arguments.replace};
+  options.fields = arguments.fields || study.fields ? Fields::kept : Fields::dropped;
   if (!arguments.shard.empty()) {
     options.shard = parse_shard(arguments.shard);
     arguments.shard = options.shard.name();
     if (const std::string& variable = options.shard.variable; !variable.empty())
       session.err << "shard " << arguments.shard << " by " << variable << '\n';
   }
-  options.retry = retry_named(arguments.retry);
-  options.fields = arguments.fields || study.fields ? Fields::kept : Fields::dropped;
-  options.replace = arguments.replace;
-  options.redefined = [&](const Redefinition& redefined) {
-    session.err << study.name << ": defined anew: " << redefined.in_words() << '\n';
-  };
-  SweepReport report;
-  {
-    StatusLine line(session.err);
-    if (line) options.report = [&](const SweepProgress& progress) { line.show(progress); };
-    report = run_sweep(study, session.evaluate, arguments.database, options);
-  }
+  std::optional<StopSignal> signal;
+  const SweepReport report = watched_sweep(study, arguments.database, options, signal, session);
   std::vector<Failure> failures;
   if (report.study.failed > 0) failures = ResultStore(arguments.database, Access::read).failures(study.name);
   if (arguments.json)

@@ -1,4 +1,3 @@
-#include <algorithm>
 #include <chrono>
 #include <cmath>
 #include <iomanip>
@@ -54,7 +53,7 @@ Table summary_of(const std::vector<VerificationRow>& rows) {
   Table table{{"source", "checks", "pass", "closest to its tolerance", "difference", "tolerance"}, {}};
   std::vector<std::string> sources;
   for (const VerificationRow& row : rows)
-    if (std::find(sources.begin(), sources.end(), row.source) == sources.end()) sources.push_back(row.source);
+    if (!contains(sources, row.source)) sources.push_back(row.source);
   for (const std::string& source : sources) {
     std::int64_t checks = 0, passed = 0;
     const VerificationRow* closest = nullptr;
@@ -76,16 +75,10 @@ Table summary_of(const std::vector<VerificationRow>& rows) {
 Json array_of(const std::vector<VerificationRow>& rows) {
   Json array = Json::array();
   for (const VerificationRow& row : rows)
-    array.push_back({{"check", row.quantity},
-                     {"source", row.source},
-                     {"unit", row.unit},
-                     {"expected", row.expected},
-                     {"got", json_of(Cell(row.got))},
-                     {"difference", json_of(Cell(row.difference()))},
-                     {"tolerance", row.tolerance},
-                     {"allowance", row.allowance},
-                     {"passed", row.passed()},
-                     {"reason", row.reason}});
+    array.push_back(json_object("check", row.quantity, "source", row.source, "unit", row.unit, "expected", row.expected,
+                                "got", json_of(Cell(row.got)), "difference", json_of(Cell(row.difference())),
+                                "tolerance", row.tolerance, "allowance", row.allowance, "passed", row.passed(),
+                                "reason", row.reason));
   return array;
 }
 
@@ -98,15 +91,12 @@ void run_verify(const VerifyArguments& arguments, Session& session) {
   const auto begin = std::chrono::steady_clock::now();
   const std::vector<VerificationRow> rows = verify(session.evaluate);
   const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
-  const auto failed = std::count_if(rows.begin(), rows.end(), [](const auto& row) { return !row.passed(); });
+  const auto failed = count_if(rows, [](const auto& row) { return !row.passed(); });
   const auto passed = static_cast<std::ptrdiff_t>(rows.size()) - failed;
   if (failed > 0) session.status = ExitStatus::no_answer;
   if (arguments.json) {
-    const Json object{{"version", this_program().version},
-                      {"passed", passed},
-                      {"failed", failed},
-                      {"seconds", seconds},
-                      {"rows", array_of(rows)}};
+    const Json object = json_object("version", this_program().version, "passed", passed, "failed", failed, "seconds",
+                                    seconds, "rows", array_of(rows));
     session.out << text_of(object, 2) << '\n';
     return;
   }

@@ -10,6 +10,7 @@
 #include "studies/drawing/thinned_chart.hpp"
 #include "studies/text/files.hpp"
 #include "studies/text/readable_number.hpp"
+#include "studies/text/words.hpp"
 #include "studies/text/xml_text.hpp"
 
 namespace rollres {
@@ -28,11 +29,6 @@ std::vector<bool> marked(const ChartCurve& curve, std::size_t number) {
     marks[i] = alone || (curve.marks && (i + number) % step == 0);
   }
   return marks;
-}
-
-std::string content_of(const std::filesystem::path& file) {
-  std::ifstream in(file, std::ios::binary);
-  return {std::istreambuf_iterator<char>(in), {}};
 }
 
 /// An SVG whose title and description, which gnuplot fills with its own name, say what it shows.
@@ -93,10 +89,15 @@ ChartFiles chart_files(const std::filesystem::path& name) {
   const std::string full = name.string();
   if (stem.empty() || stem == "." || stem == "..")
     throw std::invalid_argument("\"" + full + "\": must be the name of a file");
-  if (std::any_of(full.begin(), full.end(), [](unsigned char letter) { return letter < 0x20 || letter == 0x7f; }))
+  if (any_of(full, [](unsigned char letter) { return letter < 0x20 || letter == 0x7f; }))
     throw std::invalid_argument("\"" + full + "\": the name of a chart must have no control characters");
   const auto beside = [&](const char* ending) { return name.parent_path() / (stem + ending); };
   return {beside(".gp"), beside(".dat"), beside(".svg"), beside(".png")};
+}
+
+std::filesystem::path one_of_several(const std::filesystem::path& name, const std::string& ending) {
+  const std::filesystem::path script = chart_files(name).script;  // its suffix is known
+  return script.parent_path() / (script.stem().string() + "_" + file_name(ending) + ".svg");
 }
 
 std::string chart_data(const ChartRequest& request) {
@@ -117,8 +118,8 @@ std::string chart_data(const ChartRequest& request) {
   comment("column 2: " + described(request.y));
   comment("column 3: 1 if converged, else 0");
   comment("column 4: 1 if the curve bears a mark here");
-  const bool areas = std::any_of(request.curves.begin(), request.curves.end(), [](const ChartCurve& curve) {
-    return std::any_of(curve.points.begin(), curve.points.end(), [](const auto& point) { return point.area(); });
+  const bool areas = any_of(request.curves, [](const ChartCurve& curve) {
+    return any_of(curve.points, [](const auto& point) { return point.area(); });
   });
   if (areas) comment("column 5, 6: ends of " + (request.areas.empty() ? "the curve's part" : request.areas));
   for (std::size_t i = 0; i < request.curves.size(); ++i) {
@@ -169,8 +170,8 @@ void draw_pictures(const ChartFiles& files, const std::string& data, const std::
 ChartFiles draw_chart(const ChartRequest& asked, const std::filesystem::path& name, const std::string& gnuplot) {
   const ChartRequest request = thinned(asked);
   ChartFiles files = chart_files(name);
-  const bool something = std::any_of(request.curves.begin(), request.curves.end(), [](const ChartCurve& curve) {
-    return std::any_of(curve.points.begin(), curve.points.end(), [](const auto& point) { return point.drawn(); });
+  const bool something = any_of(request.curves, [](const ChartCurve& curve) {
+    return any_of(curve.points, [](const auto& point) { return point.drawn(); });
   });
   if (!something)
     throw std::invalid_argument(request.title + ": nothing to draw, no point has a value of " + request.y.name);

@@ -92,6 +92,8 @@ std::optional<std::size_t> peak(const ChartCurve& curve);
 /// The four files of a chart. A suffix .svg, .png, .gp or .dat of `name` is dropped.
 /// @throws std::invalid_argument if the name of the file is empty or has a control character
 ChartFiles chart_files(const std::filesystem::path& name);
+/// The name of one of several pictures beside it: it ends with `ending`. @throws likewise
+std::filesystem::path one_of_several(const std::filesystem::path& name, const std::string& ending);
 
 /// The data file: one block for each curve, its columns x, y, converged (1 or 0), marked (1 or 0), and the ends of its
 /// area.

@@ -50,8 +50,8 @@ Layout lay_out(const ChartRequest& request) {
 bool areas_are_seen(const ChartRequest& request, const Layout& layout) {
   constexpr double narrowest = 0.008;
   const auto place = [&](double y) { return layout.y.fraction(std::max(y, layout.y.lowest)); };
-  return std::any_of(request.curves.begin(), request.curves.end(), [&](const ChartCurve& curve) {
-    return std::any_of(curve.points.begin(), curve.points.end(), [&](const ChartPoint& point) {
+  return any_of(request.curves, [&](const ChartCurve& curve) {
+    return any_of(curve.points, [&](const ChartPoint& point) {
       return point.joined() && point.area() && place(point.high) - place(point.low) > narrowest;
     });
   });
@@ -75,8 +75,7 @@ struct Look {
 constexpr std::string_view extrapolated_dash = "(10,6)";
 
 bool extrapolates(const ChartRequest& request) {
-  return std::any_of(request.curves.begin(), request.curves.end(),
-                     [](const auto& curve) { return curve.extrapolated; });
+  return any_of(request.curves, [](const auto& curve) { return curve.extrapolated; });
 }
 
 Look look(const ChartRequest& request, std::size_t curve) {
@@ -128,14 +127,14 @@ void write_end_labels(std::ostream& script, const ChartRequest& request, const L
     const auto last = std::find_if(points.rbegin(), points.rend(), [](const auto& point) { return point.joined(); });
     if (last != points.rend()) ends.push_back({i, *last, layout.y.fraction(last->y)});
   }
-  std::stable_sort(ends.begin(), ends.end(), [](const End& a, const End& b) { return a.at < b.at; });
+  stable_sort(ends, [](const End& a, const End& b) { return a.at < b.at; });
   // As low as they may stand, then down from the top where they came too high.
   const double step = end_label_height / from_top;
   for (std::size_t i = 0; i < ends.size(); ++i) ends[i].at = std::max(ends[i].at, i == 0 ? 0.0 : ends[i - 1].at + step);
   double limit = 1.0;
   for (auto end = ends.rbegin(); end != ends.rend(); ++end, limit -= step) end->at = std::min(end->at, limit);
-  const bool peaks = std::any_of(ends.begin(), ends.end(),
-                                 [&](const End& end) { return request.mark_peaks && peak(request.curves[end.curve]); });
+  const bool peaks =
+      any_of(ends, [&](const End& end) { return request.mark_peaks && peak(request.curves[end.curve]); });
   const std::string symbol =
       request.family.symbol.empty() ? gnuplot::plain(request.family.name) : gnuplot::symbol(request.family.symbol);
   script << "set label " << gnuplot::quoted(symbol + (peaks ? ": peak" : "") + kept_blanks)
@@ -191,8 +190,7 @@ std::vector<LegendEntry> legend_of_families(const ChartRequest& request) {
   for (std::size_t family = 0; family < request.families.size(); ++family) {
     const auto& [axis, labels] = request.families[family];
     for (std::size_t value = 0; value < labels.size(); ++value) {
-      const auto curve = std::find_if(request.curves.begin(), request.curves.end(),
-                                      [&](const ChartCurve& one) { return one.place[family] == value; });
+      const auto curve = find_if(request.curves, [&](const ChartCurve& one) { return one.place[family] == value; });
       if (curve == request.curves.end()) continue;
       const Look like = look(request, static_cast<std::size_t>(curve - request.curves.begin()));
       const std::string sample = family == 0 ? "lines lw 5 dt 1 lc rgb '" + like.colour + "'"
@@ -210,8 +208,7 @@ std::vector<LegendEntry> legend(const ChartRequest& request, bool crosses, bool 
   bool hollow = false;
   for (std::size_t i = 0; i < request.curves.size(); ++i) {
     const ChartCurve& curve = request.curves[i];
-    hollow |=
-        std::any_of(curve.points.begin(), curve.points.end(), [](const auto& p) { return p.drawn() && !p.converged; });
+    hollow |= any_of(curve.points, [](const auto& p) { return p.drawn() && !p.converged; });
     if (curve.label.empty() || curve.like || labels_at_ends(request) || !request.families.empty()) continue;
     const char* const sample = !joined(request, curve)        ? "points linetype "
                                : request.marks && curve.marks ? "linespoints linetype "
@@ -261,12 +258,12 @@ std::vector<std::string> plots(const ChartRequest& request, bool areas) {
     const auto& points = request.curves[i].points;
     const std::string data = "data index " + std::to_string(i) + " using 1:($3 == ";
     const std::string type = "linetype " + std::to_string(i + 1) + " notitle";
-    if (std::any_of(points.begin(), points.end(), [](const auto& point) { return point.joined(); })) {
+    if (any_of(points, [](const auto& point) { return point.joined(); })) {
       const bool line = joined(request, request.curves[i]);
       if (line) parts.push_back(data + "1 ? $2 : NaN) with lines " + type);
       if (!line || request.marks) parts.push_back(data + "1 && $4 == 1 ? $2 : NaN) with points " + type);
     }
-    if (std::any_of(points.begin(), points.end(), [](const auto& p) { return p.drawn() && !p.converged; }))
+    if (any_of(points, [](const auto& p) { return p.drawn() && !p.converged; }))
       parts.push_back(data + "0 ? $2 : NaN) with points pt " + std::to_string(look(request, i).hollow) +
                       " ps 0.7 lw 1.5 lc rgb '" + look(request, i).colour + "' notitle");
   }

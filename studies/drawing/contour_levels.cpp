@@ -29,7 +29,7 @@ void write_contour_levels(std::ostream& script, const std::vector<ContourLoop>& 
       const auto& point = loop.points[(number * size / 5 + step) % size];  // not all on one side
       const std::array<double, 2> at = fraction(point);
       if (at[0] < 0.06 || at[0] > 0.94 || at[1] < 0.05 || at[1] > 0.95 || (shown && !shown(point))) continue;
-      if (std::any_of(full.begin(), full.end(), [&](const auto& other) {
+      if (any_of(full, [&](const auto& other) {
             return std::abs(other[0] - at[0]) < 1.4 * apart && std::abs(other[1] - at[1]) < 0.7 * apart;
           }))
         continue;

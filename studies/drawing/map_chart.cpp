@@ -146,7 +146,7 @@ class MapDrawing : PictureBuilder {
     const auto steady = [&](MapNode node) { return node != MapNode::no_steady_state; };
     blank("unsteady", "fc rgb '#D0D0D0'", [&](MapNode node) { return !steady(node); });
     blank("blank", "fc rgb 'white'", steady);
-    if (!std::all_of(request_.nodes.begin(), request_.nodes.end(), steady))
+    if (!all_of(request_.nodes, steady))
       explain("boxes fc rgb '#D0D0D0' fs solid border lc rgb '#444444'", "no steady state");
     mark(MapNode::unanswered, "points pt 2 ps 0.7 lw 1.5 lc rgb '#444444'", "no answer");
     mark(MapNode::not_converged, "points pt 6 ps 0.7 lw 1.5 lc rgb '#444444'", "not converged");
@@ -188,7 +188,7 @@ class MapDrawing : PictureBuilder {
     std::vector<std::string> looks{"lines lc rgb 'white' lw 2.5 dt (6,3)", "lines lc rgb 'white' lw 2.5 dt (2,2)"};
     for (std::size_t i = 0; i < request_.limits.size(); ++i) {
       const MapLimit& limit = request_.limits[i];
-      if (std::none_of(limit.excess.begin(), limit.excess.end(), [](double value) { return value > 0; })) continue;
+      if (none_of(limit.excess, [](double value) { return value > 0; })) continue;
       const std::vector<ContourLoop> loops =
           loops_of({request_.field.x, request_.field.y, limit.excess}, std::array{0.0});
       const std::string block = add("beyond " + limit.meaning, columns(), loops);
@@ -275,8 +275,7 @@ std::optional<std::size_t> map_peak(const MapRequest& request) {
 
 ChartFiles draw_map(const MapRequest& request, const std::filesystem::path& name, const std::string& gnuplot) {
   ChartFiles files = chart_files(name);
-  const bool any = std::any_of(request.field.values.begin(), request.field.values.end(),
-                               [](double value) { return std::isfinite(value); });
+  const bool any = any_of(request.field.values, [](double value) { return std::isfinite(value); });
   if (request.field.x.size() < 2 || request.field.y.size() < 2 || !any)
     throw std::invalid_argument(request.title + ": nothing to map, it takes two values at least along " +
                                 request.x.name + " and along " + request.y.name + ", and an answer");

@@ -25,8 +25,7 @@ std::vector<std::array<double, 2>> places_around(double x, double y, double half
   const auto distance = [&](const std::array<double, 2>& place) {
     return std::hypot(0.7 * (place[0] - x), place[1] - y);  // a step across costs less: leaders may be flat
   };
-  std::stable_sort(farther.begin(), farther.end(),
-                   [&](const auto& one, const auto& other) { return distance(one) < distance(other); });
+  stable_sort(farther, [&](const auto& one, const auto& other) { return distance(one) < distance(other); });
   places.insert(places.end(), farther.begin(), farther.end());
   return places;
 }
@@ -46,7 +45,7 @@ std::vector<PeakValue> peak_values(const ChartRequest& request, const ChartSpans
   std::vector<Top> tops;
   for (std::size_t i = 0; i < request.curves.size(); ++i)
     if (const auto place = peak(request.curves[i])) tops.push_back({i, request.curves[i].points[*place]});
-  std::stable_sort(tops.begin(), tops.end(), [](const Top& a, const Top& b) { return a.point.y > b.point.y; });
+  stable_sort(tops, [](const Top& a, const Top& b) { return a.point.y > b.point.y; });
 
   std::vector<LabelBox> taken;  // first by the rings
   for (const Top& top : tops)
@@ -61,9 +60,8 @@ std::vector<PeakValue> peak_values(const ChartRequest& request, const ChartSpans
       const LabelBox box{x, y, half_width, 0.04};
       const bool inside = box.y - box.half_height > 0 && box.y + box.half_height < 1.02 &&
                           box.x - box.half_width > -0.02 && box.x + box.half_width < 1.02;
-      if (!inside || std::any_of(taken.begin(), taken.end(), [&](const LabelBox& other) { return box.meets(other); }) ||
-          std::any_of(request.curves.begin(), request.curves.end(),
-                      [&](const ChartCurve& curve) { return box.meets(curve, layout); }))
+      if (!inside || any_of(taken, [&](const LabelBox& other) { return box.meets(other); }) ||
+          any_of(request.curves, [&](const ChartCurve& curve) { return box.meets(curve, layout); }))
         continue;
       values.push_back({i, top, value, box});
       taken.push_back(box);

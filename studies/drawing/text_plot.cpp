@@ -2,22 +2,15 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
+#include "studies/drawing/chart_frame.hpp"
 #include "studies/text/readable_number.hpp"
 
 namespace rollres {
 
 namespace {
 
-struct PlotSpan {
-  double lowest = std::numeric_limits<double>::infinity(), highest = -lowest;
-  bool logarithmic = false;
-
-  void include(double value) {
-    lowest = std::min(lowest, value);
-    highest = std::max(highest, value);
-  }
+struct PlotSpan : Span {
   double scaled(double value) const { return logarithmic ? std::log(value) : value; }
   /// One of so many places along the axis.
   std::size_t place(double value, std::size_t places) const {
@@ -35,7 +28,7 @@ char letter_of(std::size_t curve, std::size_t curves) {
 
 std::string text_plot(const TextPlotAxis& x, const TextPlotAxis& y, const std::vector<TextPlotCurve>& curves,
                       std::size_t width, std::size_t height) {
-  PlotSpan across{.logarithmic = x.logarithmic}, up{.logarithmic = y.logarithmic};
+  PlotSpan across{{.logarithmic = x.logarithmic}}, up{{.logarithmic = y.logarithmic}};
   const auto is_shown = [&](const std::pair<double, double>& point) {
     return std::isfinite(point.first) && std::isfinite(point.second) && (!x.logarithmic || point.first > 0) &&
            (!y.logarithmic || point.second > 0);

@@ -136,8 +136,7 @@ std::vector<Method> methods_named(const std::vector<std::string>& names) {
       throw std::invalid_argument("--methods = \"" + name + "\": the methods compared here solve the linear model");
     if (static_cast<Method>(found) == Method::convolution)
       throw std::invalid_argument("--methods = \"" + name + "\": the methods compared here look for a contact");
-    if (std::find(methods.begin(), methods.end(), static_cast<Method>(found)) == methods.end())
-      methods.push_back(static_cast<Method>(found));
+    if (!contains(methods, static_cast<Method>(found))) methods.push_back(static_cast<Method>(found));
   }
   return methods;
 }

@@ -34,7 +34,7 @@ std::vector<Witness> witnesses_among(const std::vector<AccuracyPoint>& points, d
   std::vector<Witness> witnesses;
   for (const double ratio : {4.0, 2.0, 1.0}) {
     for (const Method method : trusted_methods) {
-      const auto at = std::find_if(points.begin(), points.end(), [&](const AccuracyPoint& point) {
+      const auto at = find_if(points, [&](const AccuracyPoint& point) {
         return point.method == method && point.status == AccuracyStatus::converged && trusted(point.solution) &&
                std::abs(point.spacing / (ratio * finest) - 1) < same;
       });

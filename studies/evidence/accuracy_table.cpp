@@ -57,7 +57,7 @@ std::string table_of(const AccuracyReport& report, const std::vector<Method>& me
     int nodes = 0;
     std::vector<Cell> cells;
     for (const Method method : methods) {
-      const auto point = std::find_if(report.points.begin(), report.points.end(), [&](const AccuracyPoint& candidate) {
+      const auto point = find_if(report.points, [&](const AccuracyPoint& candidate) {
         return candidate.method == method && candidate.*key == value;
       });
       if (point == report.points.end()) continue;
@@ -134,7 +134,7 @@ std::vector<std::string> notes(const AccuracyReport& report) {
       return other.method == point.method && other.status == point.status &&
              (other.spacing > point.spacing || other.tolerance > point.tolerance);
     };
-    if (std::any_of(report.points.begin(), report.points.end(), same)) continue;
+    if (any_of(report.points, same)) continue;
     lines.push_back(std::string(name_of(point.method)) + " at " + place_in_words(point.spacing, point.tolerance) +
                     ": " + std::string(name_of(point.status)) + ": " + point.reason);
   }

@@ -90,15 +90,14 @@ std::vector<const QuantityColumn*> inputs_of(const Database& first, const std::s
   std::vector<const QuantityColumn*> inputs;
   for (const auto& [database, study] : {std::pair(&first, &first_study), {&second, &second_study}})
     for (const QuantityColumn* const column : quantity_columns_of(*database, {{"study", Comparison::equal, *study}}))
-      if (column->is_input && std::find(inputs.begin(), inputs.end(), column) == inputs.end()) inputs.push_back(column);
+      if (column->is_input && !contains(inputs, column)) inputs.push_back(column);
   return inputs;
 }
 
 /// Whether an input is ignored, by itself or with its whole list of layers.
 bool is_ignored(const std::string& key, const std::vector<std::string>& ignored) {
   const std::optional<LayerKey> layered = layer_key(key);
-  return std::any_of(ignored.begin(), ignored.end(),
-                     [&](const std::string& one) { return one == key || (layered && one == layered->list); });
+  return any_of(ignored, [&](const std::string& one) { return one == key || (layered && one == layered->list); });
 }
 
 void add_differences(StudyComparison& result, const std::vector<Cell>& first, const std::vector<Cell>& second,

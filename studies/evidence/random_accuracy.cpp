@@ -75,8 +75,7 @@ std::vector<JudgedNumbers> judged_ways(const RandomScene& random, double referen
     numbers.error_estimate = solution.error_estimate;
     numbers.error = solution.rolling_resistance;  // until there is a reference
   }
-  const bool any = std::any_of(judged.begin(), judged.end(),
-                               [](const JudgedNumbers& numbers) { return numbers.status == Status::converged; });
+  const bool any = any_of(judged, [](const JudgedNumbers& numbers) { return numbers.status == Status::converged; });
   const RollingSolution reference = any ? reference_of(random, reference_tolerance, evaluate) : RollingSolution();
   for (JudgedNumbers& numbers : judged) {
     const bool known = reference.status == Status::converged;
@@ -131,7 +130,7 @@ RandomAccuracyReport measure_random_accuracy(const RandomAccuracyPlan& plan, con
   std::vector<RandomScene> scenes;
   for (std::size_t i = 0; i < plan.cylinders; ++i) scenes.push_back(random_scene(plan, Indenter::cylinder, i));
   for (std::size_t i = 0; i < plan.spheres; ++i) scenes.push_back(random_scene(plan, Indenter::sphere, i));
-  const double reference_tolerance = 0.2 * *std::min_element(plan.tolerances.begin(), plan.tolerances.end());
+  const double reference_tolerance = 0.2 * *min_element(plan.tolerances);
   std::vector<std::vector<JudgedSolution>> judged(scenes.size());
   ForkedWork work = plan.work(scenes.size());
   work.work = [&](std::size_t piece) {
@@ -165,8 +164,7 @@ std::vector<RandomAccuracyCount> counts_of(const std::vector<JudgedSolution>& so
   };
   std::vector<std::vector<const JudgedSolution*>> ways;
   for (const JudgedSolution& one : solutions) {
-    const auto known =
-        std::find_if(ways.begin(), ways.end(), [&](const auto& way) { return same_way(*way.front(), one); });
+    const auto known = find_if(ways, [&](const auto& way) { return same_way(*way.front(), one); });
     (known == ways.end() ? ways.emplace_back() : *known).push_back(&one);
   }
   std::vector<RandomAccuracyCount> counts;

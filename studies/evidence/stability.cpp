@@ -1,6 +1,5 @@
 #include "studies/evidence/stability.hpp"
 
-#include <algorithm>
 #include <chrono>
 #include <cmath>
 
@@ -27,20 +26,15 @@ constexpr double friction_margin = 0.02;
 /// The first number of an answer that must be finite and is not; empty if all are. None is missing that the scene
 /// cannot have: a cylinder has no approach to a half-space.
 std::string_view missing_number(const RollingScene& scene, const RollingSolution& solution) {
-  static constexpr std::string_view needed[] = {"rolling_resistance", "rolling_resistance_coefficient",
-                                                "driving_force",      "driving_torque",
-                                                "approach",           "load",
-                                                "leading_edge",       "trailing_edge",
-                                                "contact_area",       "mean_pressure",
-                                                "peak_pressure",      "viscous_loss",
-                                                "energy_residual",    "law_violation"};
-  static constexpr std::string_view needed_with_friction[] = {"rotation_speed", "rotation_ratio", "frictional_loss",
-                                                              "peak_shear_x"};
+  constexpr std::string_view needed =
+      "rolling_resistance rolling_resistance_coefficient driving_force driving_torque approach load leading_edge "
+      "trailing_edge contact_area mean_pressure peak_pressure viscous_loss energy_residual law_violation";
+  constexpr std::string_view needed_with_friction = "rotation_speed rotation_ratio frictional_loss peak_shear_x";
   std::string_view missing;
   visit_outputs(solution, [&](const Quantity& quantity, const auto& value) {
     if constexpr (std::is_same_v<std::decay_t<decltype(value)>, double>) {
-      const bool counts = find_name(needed, quantity.key) >= 0 ||
-                          (scene.friction_coefficient > 0 && find_name(needed_with_friction, quantity.key) >= 0);
+      const bool counts = has_word(needed, quantity.key) ||
+                          (scene.friction_coefficient > 0 && has_word(needed_with_friction, quantity.key));
       if (counts && missing.empty() && !std::isfinite(value) && why_absent(scene, quantity.key).empty())
         missing = quantity.key;
     }
@@ -183,16 +177,9 @@ std::string failed_scene_name(const Trial& trial) {
 
 StabilityReport run_stability(const StabilityPlan& plan, const Evaluate& evaluate) {
   const auto begin = std::chrono::steady_clock::now();
-  std::vector<Trial> trials = planned(plan);
-  std::vector<char> ended(trials.size(), 0);
-  ForkedWork work = plan.work(trials.size());
-  work.work = [&](std::size_t piece) {
-    Packer pack;
-    visit_answer(judge(evaluate, trials[piece].scene), pack);
-    return pack.bytes;
-  };
-  work.done = [&](const PieceEnd& end) {
-    Trial& trial = trials[end.piece];
+  const std::vector<Trial> trials = planned(plan);
+  const auto tell = [&](const Trial& trial, Packer& pack) { visit_answer(judge(evaluate, trial.scene), pack); };
+  const auto take = [&](Trial& trial, const PieceEnd& end) {
     if (end.out_of_time) {
       trial.outcome = Outcome::not_converged;
       trial.seconds = end.seconds;
@@ -202,16 +189,11 @@ StabilityReport run_stability(const StabilityPlan& plan, const Evaluate& evaluat
     } else {
       visit_answer(trial, Unpacker{end.answer});
     }
-    ended[end.piece] = 1;
     if (plan.on_trial) plan.on_trial(trial);
     return !is_failure(trial.outcome);
   };
-  run_forked(work);
-
-  StabilityReport report;
-  for (std::size_t i = 0; i < trials.size(); ++i)
-    if (ended[i]) report.trials.push_back(std::move(trials[i]));
-  std::stable_sort(report.trials.begin(), report.trials.end(), [](const Trial& a, const Trial& b) {
+  StabilityReport report{.trials = try_forked(plan.work(trials.size()), trials, tell, take)};
+  stable_sort(report.trials, [](const Trial& a, const Trial& b) {
     return a.scene.indenter != b.scene.indenter ? a.scene.indenter < b.scene.indenter : a.number < b.number;
   });
   report.interrupted = report.trials.size() < trials.size();

@@ -35,19 +35,16 @@ constexpr std::array<std::pair<std::string_view, std::string_view>, 8> groups{{{
                                                                                {"heat", "Heat"},
                                                                                {"time_limit", "Limits"}}};
 
+Json quantity_json(const Quantity& quantity) {
+  return json_object("key", quantity.key, "symbol", quantity.symbol, "unit", quantity.unit, "unit_2d",
+                     quantity.unit_for(Indenter::cylinder), "meaning", quantity.meaning);
+}
+
 Json json_of_input(const InputKind& kind) {
   const Quantity& quantity = kind.quantity;
-  Json object{{"key", quantity.key},
-              {"symbol", quantity.symbol},
-              {"unit", quantity.unit},
-              {"unit_2d", quantity.unit_for(Indenter::cylinder)},
-              {"meaning", quantity.meaning},
-              {"rule", quantity.range.rule()},
-              {"lowest", finite_or_null(quantity.range.lowest)},
-              {"highest", finite_or_null(quantity.range.highest)},
-              {"real", kind.real()},
-              {"list", kind.list},
-              {"layers", kind.layers}};
+  Json object = quantity_json(quantity);
+  object.update(json_object("rule", quantity.range.rule(), "lowest", quantity.range.lowest, "highest",
+                            quantity.range.highest, "real", kind.real(), "list", kind.list, "layers", kind.layers));
   if (kind.real()) object["replaces"] = replaced_inputs(quantity.key, 0.0);
   if (!kind.held_as.empty()) object["held_as"] = kind.held_as;
   if (!kind.choices.empty()) object["choices"] = kind.choices;
@@ -61,13 +58,7 @@ Json json_of_input(const InputKind& kind) {
 
 struct NumbersOfAnswers {
   Json list = Json::array();
-  void operator()(const Quantity& quantity, const double&) {
-    list.push_back({{"key", quantity.key},
-                    {"symbol", quantity.symbol},
-                    {"unit", quantity.unit},
-                    {"unit_2d", quantity.unit_for(Indenter::cylinder)},
-                    {"meaning", quantity.meaning}});
-  }
+  void operator()(const Quantity& quantity, const double&) { list.push_back(quantity_json(quantity)); }
   template <class Other>
   void operator()(const Quantity&, const Other&) {}
 };
@@ -146,9 +137,8 @@ std::optional<RollingScene> coarse_scene(const RollingScene& scene) {
 }
 
 Json answer_for_pages(const RollingScene& scene, const RollingSolution& solution) {
-  Json reply{{"answer", parse_object(solution_json(scene, solution), "answer")},
-             {"coating_yields", coating_yields(scene)},
-             {"decisions", model_text(scene)}};
+  Json reply = json_object("answer", parse_object(solution_json(scene, solution), "answer"), "coating_yields",
+                           coating_yields(scene), "decisions", model_text(scene));
   if (solution.status == Status::converged && solution.fields.grid.size() > 0)
     reply["surface"] = surface_for_pages(scene, solution);
   return reply;
@@ -217,10 +207,8 @@ Json chart_for_pages(const ChartRequest& chart) {
     for (const ChartPoint& point : curve.points)
       points.push_back({finite_or_null(point.x), finite_or_null(point.y), point.converged, finite_or_null(point.low),
                         finite_or_null(point.high)});
-    curves.push_back({{"label", curve.label},
-                      {"points", points},
-                      {"dashed", curve.extrapolated},
-                      {"line", curve.line && chart.lines}});
+    curves.push_back(json_object("label", curve.label, "points", points, "dashed", curve.extrapolated, "line",
+                                 curve.line && chart.lines));
     if (curve.like) curves.back()["like"] = *curve.like;
   }
   return {{"title", chart.title},         {"subtitle", chart.subtitle}, {"x", axis(chart.x)}, {"y", axis(chart.y)},

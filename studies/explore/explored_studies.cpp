@@ -71,14 +71,9 @@ Json studies_for_pages(const std::filesystem::path& database) {
   if (std::error_code none; !std::filesystem::exists(database, none)) return {{"studies", studies}, {"fits", fits}};
   ResultStore store(database, Access::read);
   for (const StudySummary& study : store.studies())
-    studies.push_back({{"name", study.name},
-                       {"axes", study.axes},
-                       {"charts", stored_charts(store, study.name)},
-                       {"points", study.points},
-                       {"answered", study.answered},
-                       {"failed", study.failed},
-                       {"last_result", study.last_result},
-                       {"note", study.note}});
+    studies.push_back(json_object("name", study.name, "axes", study.axes, "charts", stored_charts(store, study.name),
+                                  "points", study.points, "answered", study.answered, "failed", study.failed,
+                                  "last_result", study.last_result, "note", study.note));
   for (const auto& row : run_fit_query(store.database(), {.columns = {"name", "kind", "status"}}).rows)
     fits.push_back({{"name", json_of(row[0])}, {"kind", json_of(row[1])}, {"status", json_of(row[2])}});
   return {{"studies", studies}, {"fits", fits}};

@@ -66,7 +66,7 @@ ShownContacts evenly(const std::vector<CharacteristicPoint>& points, std::size_t
     const auto nearer = [&](const CharacteristicPoint& a, const CharacteristicPoint& b) {
       return std::abs(span.fraction(a.place) - wanted) < std::abs(span.fraction(b.place) - wanted);
     };
-    chosen.insert(static_cast<std::size_t>(std::min_element(points.begin(), points.end(), nearer) - points.begin()));
+    chosen.insert(static_cast<std::size_t>(min_element(points, nearer) - points.begin()));
   }
   constexpr double apart = 0.94;
   ShownContacts shown{{}, widest_contact};
@@ -198,7 +198,7 @@ double slipping_share(const RollingSolution& solution) {
 
 ChartFiles draw_characteristic(const CharacteristicRequest& request, const std::filesystem::path& name) {
   const std::vector<CharacteristicPoint>& points = request.points;
-  if (std::none_of(points.begin(), points.end(), [](const auto& p) { return p.scene.friction_coefficient > 0; }))
+  if (none_of(points, [](const auto& p) { return p.scene.friction_coefficient > 0; }))
     throw std::invalid_argument(request.title + ": has no friction, so that nothing sticks or slips");
   const std::vector<Curve> curves = curves_of(points);
   Span x{.logarithmic = request.x.logarithmic && points.front().place > 0};

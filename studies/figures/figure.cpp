@@ -81,8 +81,7 @@ std::vector<Figure> figures_for(const RollingScene& scene, const std::vector<std
     const Figure& figure = figure_named(wish);
     if (const std::string why = hindrance(figure, scene); !why.empty())
       throw std::invalid_argument("--figure = " + wish + ": " + why);
-    if (std::none_of(wanted.begin(), wanted.end(), [&](const Figure& other) { return other.number == figure.number; }))
-      wanted.push_back(figure);
+    if (none_of(wanted, [&](const Figure& other) { return other.number == figure.number; })) wanted.push_back(figure);
   }
   if (names.empty())
     std::copy_if(figures.begin(), figures.end(), std::back_inserter(wanted),

@@ -1,4 +1,3 @@
-#include <algorithm>
 #include <cassert>
 
 #include "studies/drawing/colour_map.hpp"
@@ -38,7 +37,7 @@ FieldOfFigure field_of_figure(const FigureSource& source, std::string_view name,
   const ScaledUnit unit = figure_unit(shown.unit, largest(shown.values));
   const SurfaceGrid& grid = source.surface.grid;
   const PlaneField field = plane_field(grid, view.nodes(grid, most_nodes), view, shown.values, unit.factor);
-  const auto [lowest, highest] = std::minmax_element(field.values.begin(), field.values.end());
+  const auto [lowest, highest] = minmax_element(field.values);
   return {shown,
           view,
           unit,

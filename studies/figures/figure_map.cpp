@@ -154,7 +154,7 @@ void FigureMap::blank_outside() {
 
 void FigureMap::draw_borders() {
   const auto& slips = source_.surface.zone;
-  const bool slip = std::find(slips.begin(), slips.end(), Zone::slip) != slips.end();
+  const bool slip = contains(slips, Zone::slip);
   constexpr const char *edge = "lines lc rgb 'black' lw 2", *border = "lines lc rgb 'black' lw 2 dt (5,3)";
   if (slip && !stick_.empty()) {
     plot(add("stick", columns(), stick_) + " using 1:2 with " + border + " notitle");

@@ -56,7 +56,7 @@ PictureText section_map(const Figure& figure, const FigureSource& source, const 
   for (const double x : section.x) field.x.push_back(x / length.factor);
   for (const double z : section.z) field.y.push_back(z / length.factor);
   for (const double value : section.values) field.values.push_back(value / unit.factor);
-  const ColourBands bands(0, *std::max_element(field.values.begin(), field.values.end()));
+  const ColourBands bands(0, *max_element(field.values));
   const std::vector<ContourLoop> loops = contour_loops(field, bands.levels, -std::numeric_limits<double>::infinity());
 
   const Span x{field.x.front(), field.x.back()}, z{field.y.front(), field.y.back()};

@@ -31,7 +31,7 @@ struct ActingRows {
     for (const double frequency : curve.frequencies) frequencies.push_back(frequency / shift);
     for (const double modulus : curve.storage) storage.push_back(modulus / scale);
     for (const double modulus : curve.loss) loss.push_back(modulus / scale);
-    const auto [least, most] = std::minmax_element(frequencies.begin(), frequencies.end());
+    const auto [least, most] = minmax_element(frequencies);
     lowest = *least, highest = *most;
   }
 
@@ -225,7 +225,7 @@ ChartRequest shift_chart(const MaterialInputs& layer, const std::string& title) 
   ChartCurve rows{.label = "table", .points = {}, .line = false};
   if (!layer.shift_factors.empty()) {
     for (const double temperature : layer.shift_temperatures) rows.points.push_back(point(temperature));
-    const auto [first, last] = std::minmax_element(layer.shift_temperatures.begin(), layer.shift_temperatures.end());
+    const auto [first, last] = minmax_element(layer.shift_temperatures);
     lowest = std::min(lowest, *first), highest = std::max(highest, *last);
   } else {
     constexpr double aside = 30;  // of a law [K]; it ends at its pole

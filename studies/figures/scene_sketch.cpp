@@ -294,7 +294,7 @@ class SceneSketch {
       (zone == Zone::slip ? stick : slip).push_back({});  // a line ends here
     }
     const auto line = [&](const char* name, const char* colour, const std::vector<DataRow>& rows) {
-      if (std::all_of(rows.begin(), rows.end(), [](const DataRow& one) { return one.empty(); })) return;
+      if (all_of(rows, [](const DataRow& one) { return one.empty(); })) return;
       const std::string dashes = std::string_view(name) == "slip" ? " dt (1,0.6)" : "";  // seen without colour, too
       const std::string look = std::string("lines lw 4 lc rgb '") + colour + "'" + dashes;
       picture_.plot(picture_.add(name, "x, z [" + unit_.name + "]", without_doubled_blanks(rows)) + " using 1:2 with " +

@@ -1,7 +1,5 @@
 #include "studies/file_schema/json_schema.hpp"
 
-#include <algorithm>
-
 #include "core/scene/solution.hpp"
 #include "db/rows/schema.hpp"
 #include "fitting/fit/measured_terms.hpp"
@@ -24,7 +22,7 @@ namespace {
 
 bool written_otherwise(const InputKind& kind) {
   const auto is_other = [&](const InputKind& other) { return other.held_as == kind.quantity.key; };
-  return std::any_of(written_kinds().begin(), written_kinds().end(), is_other);
+  return any_of(written_kinds(), is_other);
 }
 
 /// What several keys of a scene ask of each other.

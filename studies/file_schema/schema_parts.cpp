@@ -1,6 +1,5 @@
 #include "studies/file_schema/schema_parts.hpp"
 
-#include <algorithm>
 #include <cmath>
 #include <stdexcept>
 
@@ -159,8 +158,7 @@ Json object_of(std::span<const FileKey> keys, const std::vector<std::pair<std::s
   for (const FileKey& key : keys) {
     Json form = form_of(key.form);
     if (form.is_null()) {
-      const auto found =
-          std::find_if(own.begin(), own.end(), [&](const auto& named) { return named.first == key.key; });
+      const auto found = find_if(own, [&](const auto& named) { return named.first == key.key; });
       if (found == own.end()) throw std::logic_error("a schema has no form for " + std::string(key.key));
       form = found->second;
       ++taken;

@@ -25,18 +25,13 @@ std::string coverage_summary(const Coverage& coverage) {
 }
 
 Json json_of(const Coverage& coverage) {
-  Json object{{"draws", coverage.draws},
-              {"fitted", coverage.fitted},
-              {"seed", coverage.seed},
-              {"parameters", Json::array()},
-              {"failures", coverage.failures}};
+  Json object = json_object("draws", coverage.draws, "fitted", coverage.fitted, "seed", coverage.seed, "parameters",
+                            Json::array(), "failures", coverage.failures);
   for (const ParameterCoverage& parameter : coverage.parameters)
-    object["parameters"].push_back({{"name", parameter.name},
-                                    {"truth", parameter.truth},
-                                    {"linear", parameter.linear},
-                                    {"profile", coverage.profiles ? Json(parameter.profile) : Json(nullptr)},
-                                    {"mean_offset", finite_or_null(parameter.mean_offset)},
-                                    {"offset_scatter", finite_or_null(parameter.offset_scatter)}});
+    object["parameters"].push_back(
+        json_object("name", parameter.name, "truth", parameter.truth, "linear", parameter.linear, "profile",
+                    coverage.profiles ? Json(parameter.profile) : Json(nullptr), "mean_offset", parameter.mean_offset,
+                    "offset_scatter", parameter.offset_scatter));
   return object;
 }
 

@@ -124,13 +124,13 @@ void search_space(const DesignSpace& space, const RatePlaces& rate) {
   const std::vector<double> values = rate(scenes);
   for (std::size_t i = 0; i < starts.size(); ++i) starts[i].value = values[i];
   std::erase_if(starts, [](const Start& start) { return !std::isfinite(start.value); });
-  std::stable_sort(starts.begin(), starts.end(), [](const Start& a, const Start& b) { return a.value < b.value; });
+  stable_sort(starts, [](const Start& a, const Start& b) { return a.value < b.value; });
   constexpr std::size_t most = 3;
   constexpr double apart = 0.2;
   std::vector<Start> taken;
   for (const Start& start : starts) {
     if (taken.size() == most) break;
-    if (std::any_of(taken.begin(), taken.end(), [&](const Start& other) {
+    if (any_of(taken, [&](const Start& other) {
           return other.set == start.set && (other.place - start.place).norm() < apart;
         }))
       continue;

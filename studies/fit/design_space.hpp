@@ -21,7 +21,7 @@ struct DesignSpace {
   bool empty() const { return ranges.empty() || sets.empty(); }
   /// That of an input; null if it does not vary.
   const DesignRange* range_of(std::string_view key) const {
-    const auto found = std::find_if(ranges.begin(), ranges.end(), [&](const auto& range) { return range.key == key; });
+    const auto found = find_if(ranges, [&](const auto& range) { return range.key == key; });
     return found == ranges.end() ? nullptr : &*found;
   }
   /// The scene at a place in the unit cube.

@@ -16,8 +16,7 @@ namespace rollres {
 namespace {
 
 bool is_fitted(const FitFile& fit, const std::string& key) {
-  return std::any_of(fit.inputs.begin(), fit.inputs.end(),
-                     [&](const FittedInput& input) { return input.input.key == key; });
+  return any_of(fit.inputs, [&](const FittedInput& input) { return input.input.key == key; });
 }
 
 /// A real input of the scene that is not fitted.
@@ -47,9 +46,8 @@ DesignRange given_range(const FitFile& fit, const std::string& key, const Json& 
 MeasuredScene given_target(const FitFile& fit, const Json& value, const std::string& place) {
   std::string set = fit.scenes.front().set;
   if (value.contains("data")) set = needed_text(value, "data", place, "must be the name of a data set");
-  const auto first = std::find_if(fit.scenes.begin(), fit.scenes.end(), [&](const MeasuredScene& row) {
-    return row.set == set && !is_of_material(row.output);
-  });
+  const auto first =
+      find_if(fit.scenes, [&](const MeasuredScene& row) { return row.set == set && !is_of_material(row.output); });
   if (first == fit.scenes.end()) refuse(place, "data", set, "must be a data set with measured outputs of scenes");
   MeasuredScene target = *first;
   std::string words;

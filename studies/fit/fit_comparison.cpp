@@ -88,11 +88,11 @@ bool is_case_of(ShiftLaw small, ShiftLaw large) {
 /// Whether the scenes of one fit are those of another with its inputs at some values.
 bool is_case_of(const FitFile& small, const FitFile& large) {
   const auto fits = [&](const FittedInput& input) {
-    return std::any_of(large.inputs.begin(), large.inputs.end(), [&](const FittedInput& other) {
+    return any_of(large.inputs, [&](const FittedInput& other) {
       return other.input.key == input.input.key && (other.set.empty() || other.set == input.set);
     });
   };
-  if (!std::all_of(small.inputs.begin(), small.inputs.end(), fits)) return false;
+  if (!all_of(small.inputs, fits)) return false;
   for (std::size_t row = 0; row < small.scenes.size(); ++row) {
     RollingScene scene = small.scenes[row].scene;
     for (const FittedInput& input : large.inputs)
@@ -197,13 +197,11 @@ std::optional<LargestDifference> next_difference(const FitCandidate& a, const Fi
   const DesignSpace other = design_space(*b.resistance);
   for (const FitFile* const file : {&*a.resistance, &*b.resistance})
     std::erase_if(space.ranges, [&](const DesignRange& range) {
-      return std::any_of(file->inputs.begin(), file->inputs.end(),
-                         [&](const FittedInput& input) { return input.input.key == range.key; });
+      return any_of(file->inputs, [&](const FittedInput& input) { return input.input.key == range.key; });
     });
   if (space.empty() || !slopes_known(a) || !slopes_known(b)) return std::nullopt;
   const auto of_other = [&](const MeasuredScene& scene) {
-    const auto set = std::find_if(other.sets.begin(), other.sets.end(),
-                                  [&](const MeasuredScene& one) { return one.set == scene.set; });
+    const auto set = find_if(other.sets, [&](const MeasuredScene& one) { return one.set == scene.set; });
     MeasuredScene same = set == other.sets.end() ? other.sets.front() : *set;
     for (const DesignRange& range : space.ranges) set_input(same.scene, range.key, real_input(scene.scene, range.key));
     return same;
@@ -243,17 +241,15 @@ std::optional<LargestDifference> next_difference(const FitCandidate& a, const Fi
 
 FitComparison compare(const std::vector<FitCandidate>& fits, const Evaluate& evaluate, int jobs) {
   for (const FitCandidate& fit : fits) require_comparable(fits.front(), fit);
-  const bool any_noise = std::any_of(fits.begin(), fits.end(), has_fitted_noise);
+  const bool any_noise = any_of(fits, has_fitted_noise);
   FitComparison answer;
   std::vector<std::size_t> order;
   for (const FitCandidate& fit : fits) {
     order.push_back(order.size());
     answer.fits.push_back(compared(fit, any_noise));
   }
-  std::stable_sort(order.begin(), order.end(),
-                   [&](std::size_t a, std::size_t b) { return answer.fits[a].aicc < answer.fits[b].aicc; });
-  std::stable_sort(answer.fits.begin(), answer.fits.end(),
-                   [](const ComparedFit& a, const ComparedFit& b) { return a.aicc < b.aicc; });
+  stable_sort(order, [&](std::size_t a, std::size_t b) { return answer.fits[a].aicc < answer.fits[b].aicc; });
+  stable_sort(answer.fits, [](const ComparedFit& a, const ComparedFit& b) { return a.aicc < b.aicc; });
   double sum = 0;
   const double least = answer.fits.front().aicc;
   for (ComparedFit& fit : answer.fits) sum += fit.weight = fit.aicc == least ? 1 : std::exp(0.5 * (least - fit.aicc));
@@ -295,31 +291,19 @@ std::string comparison_summary(const FitComparison& comparison) {
 }
 
 Json json_of(const FitComparison& comparison) {
-  Json object{{"best", comparison.fits.front().name},
-              {"fits", Json::array()},
-              {"likelihood_ratios", Json::array()},
-              {"largest_difference", nullptr},
-              {"next_measurement", nullptr}};
+  Json object = json_object("best", comparison.fits.front().name, "fits", Json::array(), "likelihood_ratios",
+                            Json::array(), "largest_difference", nullptr, "next_measurement", nullptr);
   for (const ComparedFit& fit : comparison.fits)
-    object["fits"].push_back({{"fit", fit.name},
-                              {"model", fit.model},
-                              {"status", fit.status},
-                              {"parameters", fit.parameters},
-                              {"chi_squared", finite_or_null(fit.chi_squared)},
-                              {"aicc", finite_or_null(fit.aicc)},
-                              {"bic", finite_or_null(fit.bic)},
-                              {"weight", finite_or_null(fit.weight)}});
+    object["fits"].push_back(json_object("fit", fit.name, "model", fit.model, "status", fit.status, "parameters",
+                                         fit.parameters, "chi_squared", fit.chi_squared, "aicc", fit.aicc, "bic",
+                                         fit.bic, "weight", fit.weight));
   for (const LikelihoodRatio& ratio : comparison.ratios)
-    object["likelihood_ratios"].push_back({{"fit", ratio.small},
-                                           {"case_of", ratio.large},
-                                           {"rise", finite_or_null(ratio.rise)},
-                                           {"degrees", ratio.degrees},
-                                           {"p_value", finite_or_null(ratio.p_value)}});
+    object["likelihood_ratios"].push_back(json_object("fit", ratio.small, "case_of", ratio.large, "rise", ratio.rise,
+                                                      "degrees", ratio.degrees, "p_value", ratio.p_value));
   const auto difference_json = [](const LargestDifference& one) {
-    Json difference{{"where", one.where},
-                    {"fits", {one.first, one.second}},
-                    {"values", {finite_or_null(one.values[0]), finite_or_null(one.values[1])}},
-                    {"deviations", finite_or_null(one.deviations)}};
+    Json difference = json_object("where", one.where, "fits", Json::array({one.first, one.second}), "values",
+                                  Json::array({finite_or_null(one.values[0]), finite_or_null(one.values[1])}),
+                                  "deviations", one.deviations);
     for (const auto& [key, value] : one.inputs) difference["inputs"][key] = finite_or_null(value);
     return difference;
   };

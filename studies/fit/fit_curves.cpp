@@ -19,17 +19,15 @@ bool is_number(const std::string& key) { return find_input(key)->choices.empty()
 
 std::string horizontal(const FitFile& file) {
   const auto& varying = file.varying;
-  if (varying.empty() || std::find(varying.begin(), varying.end(), "speed") != varying.end()) return "speed";
-  const auto found = std::find_if(varying.begin(), varying.end(), is_number);
+  if (varying.empty() || contains(varying, "speed")) return "speed";
+  const auto found = find_if(varying, is_number);
   return found == varying.end() ? "speed" : *found;
 }
 
 /// "P = 20 kN/m, R = 0.1 m", with the data set where there are several.
 std::string label_of(const FitFile& file, const MeasuredScene& row, const std::string& x) {
   std::vector<std::string> parts;
-  if (std::any_of(file.scenes.begin(), file.scenes.end(),
-                  [&](const MeasuredScene& other) { return other.set != row.set; }))
-    parts.push_back(row.set);
+  if (any_of(file.scenes, [&](const MeasuredScene& other) { return other.set != row.set; })) parts.push_back(row.set);
   for (const std::string& key : file.varying) {
     if (key == x || !is_number(key)) continue;
     const Quantity& quantity = find_input(key)->quantity;
@@ -96,7 +94,7 @@ FitCurves fit_curves(const FitFile& file, const FitReport& report, const Evaluat
   const int pieces = detail.points - 1;
   if (answer.curves.size() > detail.most_curves) return answer;
   for (FitCurve& curve : answer.curves) {
-    const auto [from, to] = std::minmax_element(curve.data_x.begin(), curve.data_x.end());
+    const auto [from, to] = minmax_element(curve.data_x);
     std::vector<MeasuredScene> scenes;
     for (int i = 0; i <= pieces && *to > *from; ++i) {
       MeasuredScene between = file.scenes[curve.data.front()];

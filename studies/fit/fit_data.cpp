@@ -251,9 +251,7 @@ void read_rows(FitFile& fit, const GivenSet& set, const std::vector<SceneEntry>&
   const std::vector<double> times =
       timed ? measured_numbers(table, table.needed("time"), "s", positive) : std::vector<double>();
   const std::vector<SceneEntry> common = overridden(base, set.set);
-  const auto is_other = [&](const MeasuredColumn& column) {
-    return std::find(others.begin(), others.end(), column.name) != others.end();
-  };
+  const auto is_other = [&](const MeasuredColumn& column) { return contains(others, column.name); };
   for (std::size_t row = 0; row < table.rows(); ++row) {
     std::vector<SceneEntry> own;
     for (const MeasuredColumn& column : table.columns)
@@ -287,8 +285,7 @@ void read_rows(FitFile& fit, const GivenSet& set, const std::vector<SceneEntry>&
                                 ": sigma is missing: give it for all data sets or for none");
   fit.deviations_known = known;
   for (const MeasuredColumn& column : table.columns)
-    if (find_input(column.name) && !is_other(column) &&
-        std::find(fit.varying.begin(), fit.varying.end(), held_key(column.name)) == fit.varying.end())
+    if (find_input(column.name) && !is_other(column) && !contains(fit.varying, held_key(column.name)))
       fit.varying.push_back(held_key(column.name));
 }
 

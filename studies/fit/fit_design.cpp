@@ -73,7 +73,7 @@ class Rating {
 /// Choices at the ends of the ranges may come several times.
 void drop_repeated(MeasurementPlan& plan, const DesignSpace& space) {
   const auto same = [&](const DesignChoice& a, const DesignChoice& b) {
-    return a.set == b.set && std::all_of(space.ranges.begin(), space.ranges.end(), [&](const DesignRange& range) {
+    return a.set == b.set && all_of(space.ranges, [&](const DesignRange& range) {
              return real_input(a.scene, range.key) == real_input(b.scene, range.key);
            });
   };
@@ -87,7 +87,7 @@ std::vector<std::size_t> best_apart(const MeasurementPlan& plan, const DesignSpa
   std::vector<std::size_t> best;
   for (std::size_t i = 0; i < plan.choices.size() && best.size() < best_shown; ++i) {
     const Eigen::VectorXd here = place_of(space, plan.choices[i].scene);
-    if (std::none_of(best.begin(), best.end(), [&](std::size_t other) {
+    if (none_of(best, [&](std::size_t other) {
           return plan.choices[other].set == plan.choices[i].set &&
                  (place_of(space, plan.choices[other].scene) - here).norm() < apart;
         }))
@@ -114,10 +114,8 @@ void look_anywhere(FitDesign& answer, const DesignSpace& space, const FitFile& f
       std::vector<std::size_t> others = rough;
       others.erase(others.begin() + static_cast<std::ptrdiff_t>(moved));
       const DesignChoice& start = plan.choices[rough[moved]];
-      const auto set =
-          static_cast<std::size_t>(std::find_if(space.sets.begin(), space.sets.end(),
-                                                [&](const MeasuredScene& one) { return one.set == start.set; }) -
-                                   space.sets.begin());
+      const auto set = static_cast<std::size_t>(
+          find_if(space.sets, [&](const MeasuredScene& one) { return one.set == start.set; }) - space.sets.begin());
       search_from(space, set, place_of(space, start.scene), [&](const auto& scenes) { return rating(scenes, others); });
     }
     drop_repeated(plan, space);
@@ -185,13 +183,9 @@ Json choices_json(const MeasurementPlan& design, const std::vector<std::size_t>&
   Json choices = Json::array();
   for (const std::size_t place : places) {
     const DesignChoice& choice = design.choices[place];
-    choices.push_back({{"speed", choice.scene.speed},
-                       {"load", choice.scene.load ? Json(*choice.scene.load) : Json(nullptr)},
-                       {"data", choice.set},
-                       {"predicted", choice.predicted},
-                       {"deviation", choice.deviation},
-                       {"relative_errors", after_json(design, choice.deviations)},
-                       {"ratio", design.ratio(choice)}});
+    choices.push_back(json_object("speed", choice.scene.speed, "load", choice.scene.load, "data", choice.set,
+                                  "predicted", choice.predicted, "deviation", choice.deviation, "relative_errors",
+                                  after_json(design, choice.deviations), "ratio", design.ratio(choice)));
     for (const std::string& key : inputs) choices.back()[key] = real_input(choice.scene, key);
   }
   return choices;
@@ -275,14 +269,13 @@ Json json_of(const FitDesign& design) {
   Json sequence = Json::array();
   for (const JointChoice& joint : design.together) sequence.push_back(together_json(design, joint));
   const MeasurementPlan& plan = design.speeds;
-  return {{"worst", plan.aims[plan.worst].name},
-          {"relative_error", finite_or_null(plan.deviations[static_cast<Eigen::Index>(plan.worst)])},
-          {"relative_errors", after_json(plan, plan.deviations)},
-          {"speeds", choices_json(design.speeds, places_of_best(design.speeds))},
-          {"loads", choices_json(design.loads, places_of_best(design.loads))},
-          {"anywhere", choices_json(design.anywhere, design.best, design.inputs)},
-          {"sequence", sequence},
-          {"together", sequence.empty() ? Json(nullptr) : sequence.back()}};
+  return json_object("worst", plan.aims[plan.worst].name, "relative_error",
+                     plan.deviations[static_cast<Eigen::Index>(plan.worst)], "relative_errors",
+                     after_json(plan, plan.deviations), "speeds",
+                     choices_json(design.speeds, places_of_best(design.speeds)), "loads",
+                     choices_json(design.loads, places_of_best(design.loads)), "anywhere",
+                     choices_json(design.anywhere, design.best, design.inputs), "sequence", sequence, "together",
+                     sequence.empty() ? Json(nullptr) : sequence.back());
 }
 
 }  // namespace rollres

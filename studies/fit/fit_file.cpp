@@ -1,6 +1,5 @@
 #include "studies/fit/fit_file.hpp"
 
-#include <algorithm>
 #include <cmath>
 #include <stdexcept>
 #include <type_traits>
@@ -114,9 +113,8 @@ std::vector<GivenParameter> each_number(const std::vector<GivenParameter>& given
 double number_of(const GivenParameter& given, const Json& value, const std::string& what, const FitFile& fit) {
   const Body body = fit.body();
   if (is_measured_term(given.key)) {
-    const auto row = std::find_if(fit.scenes.begin(), fit.scenes.end(), [&](const MeasuredScene& scene) {
-      return given.set.empty() || scene.set == given.set;
-    });
+    const auto row =
+        find_if(fit.scenes, [&](const MeasuredScene& scene) { return given.set.empty() || scene.set == given.set; });
     const std::string_view unit =
         given.key == scale_key || row == fit.scenes.end() ? "1" : measured_quantity(row->output).unit_for(body);
     if (value.is_number()) {
@@ -250,14 +248,13 @@ FitFile read_fit(const std::filesystem::path& file) {
   }
   warn_of_equal_weights(fit);
   for (const GivenParameter& parameter : given) {
-    if (std::find(fit.varying.begin(), fit.varying.end(), parameter.key) != fit.varying.end())
+    if (contains(fit.varying, parameter.key))
       throw std::invalid_argument(parameter.place + ": is a column of the data too");
-    if (std::any_of(fit.inputs.begin(), fit.inputs.end(), [&](const FittedInput& other) {
+    if (any_of(fit.inputs, [&](const FittedInput& other) {
           return other.input.key == parameter.key && other.set == parameter.set;
         }))
       throw std::invalid_argument(parameter.place + ": is given twice");
-    if (!parameter.set.empty() &&
-        std::none_of(sets.begin(), sets.end(), [&](const GivenSet& set) { return set.name == parameter.set; }))
+    if (!parameter.set.empty() && none_of(sets, [&](const GivenSet& set) { return set.name == parameter.set; }))
       throw std::invalid_argument(parameter.place + ": data = \"" + parameter.set + "\": no data set of that name");
     if (is_noise_term(parameter.key)) continue;
     FittedInput input{{parameter.key}, {}, parameter.set};

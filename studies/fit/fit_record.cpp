@@ -1,6 +1,5 @@
 #include "studies/fit/fit_record.hpp"
 
-#include <algorithm>
 #include <cmath>
 #include <utility>
 
@@ -21,8 +20,7 @@ std::vector<FitCorrelationRecord> correlations_of(const FitReport& report) {
       if (std::abs(all(j, k)) > 0)
         pairs.push_back({report.parameters[static_cast<std::size_t>(j)].parameter.name,
                          report.parameters[static_cast<std::size_t>(k)].parameter.name, all(j, k)});
-  std::stable_sort(pairs.begin(), pairs.end(),
-                   [](const auto& a, const auto& b) { return std::abs(a.correlation) > std::abs(b.correlation); });
+  stable_sort(pairs, [](const auto& a, const auto& b) { return std::abs(a.correlation) > std::abs(b.correlation); });
   return pairs;
 }
 

@@ -1,6 +1,5 @@
 #include "studies/fit/fitted_scene.hpp"
 
-#include <algorithm>
 #include <array>
 
 #include "fitting/fit/measured_terms.hpp"
@@ -24,7 +23,7 @@ void add_units(Json& inputs) {
     if (!kind || kind->layers) continue;
     if (value.is_number()) value = written_input(kind->quantity, value.get<double>());
     const auto is_number = [](const Json& one) { return one.is_number(); };
-    if (value.is_array() && std::all_of(value.begin(), value.end(), is_number))
+    if (value.is_array() && all_of(value, is_number))
       value = written_input(kind->quantity, value.get<std::vector<double>>());
   }
 }
@@ -85,33 +84,35 @@ bool is_replaced(std::string_view key, bool shifted) {
   return found;
 }
 
+/// The inputs of a fit file's scene that are not replaced. @param replaced  whether one is, of the scene and its key
+template <class Replaced>
+Json kept_inputs(const std::string& scene, const Replaced& replaced) {
+  const Json given = scene.empty() ? Json::object() : Json::parse(scene);
+  Json kept = Json::object();
+  for (const auto& [key, value] : given.items())
+    if (!replaced(given, key)) kept[key] = value;
+  return kept;
+}
+
 }  // namespace
 
 std::string fitted_scene(const MaterialFit& fit, const MaterialFile& file) {
-  const Json inputs = material_inputs(fit, file.options.form);
-  if (file.scene.empty()) return text_of(inputs, 2);
-  const Json given = Json::parse(file.scene);
-  Json scene = Json::object();
-  for (const auto& [key, value] : given.items())
-    if (!is_replaced(key, shifts(fit.shift))) scene[key] = value;
-  scene.update(inputs);
+  Json scene =
+      kept_inputs(file.scene, [&](const Json&, const std::string& key) { return is_replaced(key, shifts(fit.shift)); });
+  scene.update(material_inputs(fit, file.options.form));
   return text_of(scene, 2);
 }
 
 std::string fitted_scene(const ShiftFit& fit, const ShiftFile& file) {
-  Json scene = Json::object();
-  const Json given = file.scene.empty() ? Json::object() : Json::parse(file.scene);
-  for (const auto& [key, value] : given.items())
-    if (!(given.contains("modulus_shifts") ? is_law(key) : is_shift(key))) scene[key] = value;  // its b_T stay
+  Json scene = kept_inputs(file.scene, [](const Json& given, const std::string& key) {
+    return given.contains("modulus_shifts") ? is_law(key) : is_shift(key);  // its b_T stay
+  });
   add_shift(scene, fit.shift);
   return text_of(scene, 2);
 }
 
 std::string fitted_scene(const StrainFit& fit, const StrainFile& file) {
-  Json scene = Json::object();
-  const Json given = file.scene.empty() ? Json::object() : Json::parse(file.scene);
-  for (const auto& [key, value] : given.items())
-    if (!key.starts_with("sweep_")) scene[key] = value;
+  Json scene = kept_inputs(file.scene, [](const Json&, const std::string& key) { return key.starts_with("sweep_"); });
   scene["payne_drop"] = fit.layer.payne_drop;
   scene["payne_strain"] = fit.layer.payne_strain.value();
   scene["payne_exponent"] = fit.layer.payne_exponent;

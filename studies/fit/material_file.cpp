@@ -22,12 +22,6 @@ namespace {
 
 constexpr double usual_reference_temperature = 293.15;  // [K]: 20 degC
 
-double relative_sigma(const Json& value, const std::string& key, const std::string& place, const char* rule) {
-  if (value.is_string())
-    if (const auto part = percentage(value.get_ref<const std::string&>()); part && *part > 0) return *part;
-  refuse(place, key, value, rule);
-}
-
 SeriesTimes given_times(const Json& object, const MaterialFitOptions& options, const std::string& place) {
   const auto times = choice_or_first<SeriesTimes>(object, "times", place);
   if (times == SeriesTimes::free && (options.terms == 0 || options.terms > most_free_terms))
@@ -36,6 +30,12 @@ SeriesTimes given_times(const Json& object, const MaterialFitOptions& options, c
 }
 
 }  // namespace
+
+double relative_sigma(const Json& value, const std::string& key, const std::string& place, const char* rule) {
+  if (value.is_string())
+    if (const auto part = percentage(value.get_ref<const std::string&>()); part && *part > 0) return *part;
+  refuse(place, key, value, rule);
+}
 
 ModulusSigmas given_modulus_sigmas(const Json& object, const std::string& place) {
   const auto found = object.find("sigma");
@@ -139,22 +139,40 @@ void refuse_reference_beyond(const MaterialFile& fit, const std::string& place) 
 
 }  // namespace
 
-bool is_material_fit(const std::filesystem::path& file) { return read_object(file.string()).contains("material"); }
+AloneFit given_name(const Json& object, std::span<const FileKey> keys, const std::string& place) {
+  require_kind(FileKind::fit, object, place);
+  refuse_unknown_keys(object, keys, place);
+  return {.name = needed_name(object, "fit", place, "must be the name of the fit"), .definition = object.dump(2)};
+}
+
+FitOptions given_descents(const Json& object, const std::string& place) {
+  FitOptions options;
+  options.starts = whole_number_or(object, "starts", 1, 1, 1000, place);
+  options.seed = static_cast<std::uint64_t>(whole_number_or(object, "seed", 1, 0, 2'000'000'000, place));
+  return options;
+}
+
+void note_left_out(AloneFit& fit, const Json& object, const std::vector<std::string>& columns) {
+  if (!columns.empty())
+    fit.notes.push_back("columns of " + object["data"].get<std::string>() + " left out: " + joined(columns));
+}
+
+FitKind kind_of_fit(const std::filesystem::path& file) {
+  const Json object = read_object(file.string());
+  const auto material = object.find("material");
+  if (material == object.end()) return FitKind::resistance;
+  return *material == shift_alone ? FitKind::shift : *material == kraus_alone ? FitKind::strain : FitKind::material;
+}
 
 MaterialFile read_material_fit(const std::filesystem::path& file) {
   const std::string place = file.string();
   const Json object = read_object(place);
-  require_kind(FileKind::fit, object, place);
-  refuse_unknown_keys(object, material_fit_keys, place);
-  MaterialFile fit;
-  fit.name = needed_name(object, "fit", place, "must be the name of the fit");
-  fit.definition = object.dump(2);
+  MaterialFile fit{given_name(object, material_fit_keys, place)};
   fit.options.form = choice_or_first<MaterialForm>(object, "material", place);
   if (const auto terms = object.find("terms"); terms != object.end() && *terms != "auto")
     fit.options.terms = whole_number_or(object, "terms", 0, 1, 100, place);
   if (object.contains("times")) fit.options.times = given_times(object, fit.options, place);
-  fit.options.options.starts = whole_number_or(object, "starts", 1, 1, 1000, place);
-  fit.options.options.seed = static_cast<std::uint64_t>(whole_number_or(object, "seed", 1, 0, 2'000'000'000, place));
+  fit.options.options = given_descents(object, place);
   const ModulusSigmas sigma = given_modulus_sigmas(object, place);
   fit.options.deviations_known = sigma.known;
 
@@ -179,8 +197,7 @@ MaterialFile read_material_fit(const std::filesystem::path& file) {
   if (object.contains("modulus")) fit.notes.emplace_back("modulus is the former name of listed_moduli");
   std::vector<std::string_view> known(modulus_columns.begin(), modulus_columns.end());
   known.emplace_back("temperature");
-  if (const std::vector<std::string> others = table.leave_out_others(known); !others.empty())
-    fit.notes.push_back("columns of " + name + " left out: " + joined(others));
+  note_left_out(fit, object, table.leave_out_others(known));
   const std::vector<double> frequencies = measured_frequencies(table);
   const auto [storage, loss] = measured_moduli(table, positive);
   const TemperatureShift& shift = fit.options.shift;

@@ -4,38 +4,22 @@
 
 #include "db/file/digest.hpp"
 #include "studies/fit/fit_keys.hpp"
-#include "studies/fit/material_file.hpp"
 #include "studies/scene_io/master_curve_file.hpp"
-#include "studies/text/file_kind.hpp"
 #include "studies/text/measured_table.hpp"
 #include "studies/text/strict_json.hpp"
 #include "studies/text/units.hpp"
 
 namespace rollres {
 
-bool is_shift_fit(const std::filesystem::path& file) {
-  const Json object = read_object(file.string());
-  const auto material = object.find("material");
-  return material != object.end() && *material == shift_alone;
-}
-
 ShiftFile read_shift_fit(const std::filesystem::path& file) {
   const std::string place = file.string();
   const Json object = read_object(place);
-  require_kind(FileKind::fit, object, place);
-  refuse_unknown_keys(object, shift_fit_keys, place);
-  ShiftFile fit;
-  fit.name = needed_name(object, "fit", place, "must be the name of the fit");
-  fit.definition = object.dump(2);
+  ShiftFile fit{given_name(object, shift_fit_keys, place)};
   fit.law.law = static_cast<ShiftLaw>(find_name(shift_names, name_or_first(object, "shift", law_names, place)));
-  fit.options.starts = whole_number_or(object, "starts", 1, 1, 1000, place);
-  fit.options.seed = static_cast<std::uint64_t>(whole_number_or(object, "seed", 1, 0, 2'000'000'000, place));
+  fit.options = given_descents(object, place);
   fit.scene = given_scene(object, file, place);
-  if (const auto sigma = object.find("sigma"); sigma != object.end()) {
-    const auto part = sigma->is_string() ? percentage(sigma->get_ref<const std::string&>()) : std::nullopt;
-    if (!part || !(*part > 0)) refuse(place, "sigma", *sigma, "must be a percentage > 0: \"5 %\"");
-    fit.deviation = *part;
-  }
+  if (const auto sigma = object.find("sigma"); sigma != object.end())
+    fit.deviation = relative_sigma(*sigma, "sigma", place, "must be a percentage > 0: \"5 %\"");
 
   const std::string name = needed_text(object, "data", place, "must be the name of a CSV file");
   MeasuredTable table = read_measured_table(file.parent_path() / name);
@@ -46,7 +30,7 @@ ShiftFile read_shift_fit(const std::filesystem::path& file) {
   std::vector<std::string> others;
   if (table.find("b_T")) others.emplace_back("b_T"), table.leave_out(others);  // resembles a_T
   for (const std::string& other : table.leave_out_others(known)) others.push_back(other);
-  if (!others.empty()) fit.notes.push_back("columns of " + name + " left out: " + joined(others));
+  note_left_out(fit, object, others);
   const std::vector<double> factors = measured_shift_factors(table);
   for (std::size_t row = 0; row < table.rows(); ++row)
     fit.data.push_back({measured_number(table, table.needed("temperature"), row, "K"), factors[row], table.place(row)});

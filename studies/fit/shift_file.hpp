@@ -13,26 +13,20 @@
 #include <filesystem>
 #include <limits>
 #include <optional>
-#include <string>
 #include <vector>
 
 #include "fitting/material/shift_fit.hpp"
+#include "studies/fit/material_file.hpp"
 
 namespace rollres {
 
-struct ShiftFile {
-  std::string name, definition, data_digest;
-  std::vector<MeasuredShift> data;
+struct ShiftFile : AloneFit {
+  std::vector<MeasuredShift> data = {};
   std::optional<double> relative_to = std::nullopt;  ///< temperature of the row that was 1 [K], which is no datum
-  TemperatureShift law;
+  TemperatureShift law = {};
   double deviation = std::numeric_limits<double>::quiet_NaN();
-  FitOptions options;
-  std::vector<std::string> notes = {};
-  std::string scene = {};  ///< JSON object that the shift is to stand in; empty: none
+  FitOptions options = {};
 };
-
-/// Whether a fit's file is one of these: its "material" is "shift".
-bool is_shift_fit(const std::filesystem::path& file);
 
 /// @throws std::invalid_argument one line naming file, line of the table or key, value and rule
 /// @throws std::runtime_error if a file cannot be read

@@ -5,9 +5,7 @@
 #include "core/material/strain_softening.hpp"
 #include "db/file/digest.hpp"
 #include "studies/fit/fit_keys.hpp"
-#include "studies/fit/material_file.hpp"
 #include "studies/scene_io/master_curve_file.hpp"
-#include "studies/text/file_kind.hpp"
 #include "studies/text/measured_table.hpp"
 #include "studies/text/strict_json.hpp"
 
@@ -40,22 +38,11 @@ void require_one_value(const MeasuredTable& table, std::string_view name, std::s
 
 }  // namespace
 
-bool is_strain_fit(const std::filesystem::path& file) {
-  const Json object = read_object(file.string());
-  const auto material = object.find("material");
-  return material != object.end() && *material == kraus_alone;
-}
-
 StrainFile read_strain_fit(const std::filesystem::path& file) {
   const std::string place = file.string();
   const Json object = read_object(place);
-  require_kind(FileKind::fit, object, place);
-  refuse_unknown_keys(object, strain_fit_keys, place);
-  StrainFile fit;
-  fit.name = needed_name(object, "fit", place, "must be the name of the fit");
-  fit.definition = object.dump(2);
-  fit.options.starts = whole_number_or(object, "starts", 1, 1, 1000, place);
-  fit.options.seed = static_cast<std::uint64_t>(whole_number_or(object, "seed", 1, 0, 2'000'000'000, place));
+  StrainFile fit{given_name(object, strain_fit_keys, place)};
+  fit.options = given_descents(object, place);
   fit.scene = given_scene(object, file, place);
   const double shear = shear_per_listed(object, fit.scene, place);
   const ModulusSigmas sigma = given_modulus_sigmas(object, place);
@@ -69,8 +56,7 @@ StrainFile read_strain_fit(const std::filesystem::path& file) {
   take_modulus_names(table);  // of shear or Young's: only their ratios count
   std::vector<std::string_view> known(modulus_columns.begin(), modulus_columns.end());
   known.insert(known.end(), {"strain", "temperature"});
-  if (const std::vector<std::string> others = table.leave_out_others(known); !others.empty())
-    fit.notes.push_back("columns of " + name + " left out: " + joined(others));
+  note_left_out(fit, object, table.leave_out_others(known));
   require_one_value(table, "frequency", "Hz");
   require_one_value(table, "angular_frequency", "rad/s");
   require_one_value(table, "temperature", "K");

@@ -12,24 +12,18 @@
 /// materials; strains in tension are turned into shear by the scene's Poisson's ratio, or 1/2.
 
 #include <filesystem>
-#include <string>
 #include <vector>
 
 #include "fitting/material/strain_fit.hpp"
+#include "studies/fit/material_file.hpp"
 
 namespace rollres {
 
-struct StrainFile {
-  std::string name, definition, data_digest;
-  std::vector<MeasuredStrain> data;
+struct StrainFile : AloneFit {
+  std::vector<MeasuredStrain> data = {};
   bool deviations_known = false;
-  FitOptions options;
-  std::vector<std::string> notes = {};
-  std::string scene = {};  ///< JSON object that the parameters are to stand in; empty: none
+  FitOptions options = {};
 };
-
-/// Whether a fit's file is one of these: its "material" is "kraus".
-bool is_strain_fit(const std::filesystem::path& file);
 
 /// @throws std::invalid_argument one line naming file, line of the table or key, value and rule
 /// @throws std::runtime_error if a file cannot be read

@@ -27,11 +27,11 @@ double combined(const DesignProblem& problem, OverScenes over, const std::vector
     case OverScenes::mean:
       return sum / weights;
     case OverScenes::max:
-      return *std::max_element(values.begin(), values.end());
+      return *max_element(values);
     case OverScenes::min:
       break;
   }
-  return *std::min_element(values.begin(), values.end());
+  return *min_element(values);
 }
 
 /// The scenes of a design with their answers.
@@ -124,7 +124,7 @@ std::string DesignProblem::in_words(const ChosenValue& value) const {
 }
 
 bool Design::feasible() const {
-  return found() && std::all_of(constraints.begin(), constraints.end(), [](const auto& sides) { return sides.holds; });
+  return found() && all_of(constraints, [](const auto& sides) { return sides.holds; });
 }
 
 std::vector<RollingScene> scenes_at(const DesignProblem& problem, std::span<const double> point) {

@@ -135,11 +135,8 @@ Json json_of(std::span<const DesignProblem> problems, const ChoicesReport& repor
     Json variables = Json::object();
     for (std::size_t v = 0; one.best && v < one.best->point.size(); ++v)
       variables[std::string(problems[i].variables[v].quantity.key)] = one.best->point[v];
-    object["choices"].push_back({{"chosen", chosen_json(problems[i])},
-                                 {"status", name_of(one.status)},
-                                 {"reason", one.reason},
-                                 {"value", finite_or_null(one.value())},
-                                 {"variables", variables}});
+    object["choices"].push_back(json_object("chosen", chosen_json(problems[i]), "status", name_of(one.status), "reason",
+                                            one.reason, "value", one.value(), "variables", variables));
   }
   return object;
 }

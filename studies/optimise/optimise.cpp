@@ -172,10 +172,9 @@ bool dominates(const DesignProblem& problem, const Design& a, const Design& b) {
 
 void mark_dominated(const DesignProblem& problem, ParetoReport& front) {
   for (ParetoPoint& point : front.points)
-    point.dominated =
-        point.report.best && std::any_of(front.points.begin(), front.points.end(), [&](const auto& other) {
-          return other.report.best && dominates(problem, *other.report.best, *point.report.best);
-        });
+    point.dominated = point.report.best && any_of(front.points, [&](const auto& other) {
+                        return other.report.best && dominates(problem, *other.report.best, *point.report.best);
+                      });
 }
 
 std::vector<double> limits_between(double from, double to, std::size_t count) {
@@ -219,13 +218,12 @@ OptimiseReport optimise(const DesignProblem& problem, StoredEvaluations& evaluat
 }
 
 bool ParetoReport::any() const {
-  return std::any_of(points.begin(), points.end(), [](const ParetoPoint& point) { return bool{point.report.best}; });
+  return any_of(points, [](const ParetoPoint& point) { return bool{point.report.best}; });
 }
 
 bool ParetoReport::complete() const {
-  return !interrupted && std::all_of(points.begin(), points.end(), [](const ParetoPoint& point) {
-    return point.report.status == DesignStatus::optimum;
-  });
+  return !interrupted &&
+         all_of(points, [](const ParetoPoint& point) { return point.report.status == DesignStatus::optimum; });
 }
 
 ParetoReport pareto_front(const DesignProblem& problem, StoredEvaluations& evaluations,
@@ -278,7 +276,7 @@ ParetoReport pareto_front(std::span<const DesignProblem> problems, StoredEvaluat
   all.count = evaluations.count();
   const DesignProblem& problem = problems.front();
   mark_dominated(problem, all);
-  std::stable_sort(all.points.begin(), all.points.end(), [&](const ParetoPoint& a, const ParetoPoint& b) {
+  stable_sort(all.points, [&](const ParetoPoint& a, const ParetoPoint& b) {
     if (!a.report.best || !b.report.best) return a.report.best && !b.report.best;
     return problem.goal.better(a.report.value(), b.report.value());
   });

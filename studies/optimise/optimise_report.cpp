@@ -34,11 +34,8 @@ Json json_of(const DesignProblem& problem, const Design& design) {
   Json variables = Json::object();
   for (std::size_t i = 0; i < design.point.size(); ++i)
     variables[std::string(problem.variables[i].quantity.key)] = design.point[i];
-  Json object{{"variables", variables},
-              {"value", finite_or_null(design.value)},
-              {"feasible", design.feasible()},
-              {"reason", design.reason},
-              {"keys", design.keys}};
+  Json object = json_object("variables", variables, "value", design.value, "feasible", design.feasible(), "reason",
+                            design.reason, "keys", design.keys);
   if (problem.pareto) object["second"] = finite_or_null(design.second);
   return object;
 }
@@ -109,9 +106,7 @@ Table front_table(std::span<const DesignProblem> problems, const ParetoReport& f
   Table table{{"front"}, {}};
   for (const ChosenValue& chosen : problem.chosen) table.columns.push_back(chosen.key);
   table.columns.push_back(problem.goal.formula.text());
-  const auto shown_already = [&](std::string_view name) {
-    return std::find(table.columns.begin(), table.columns.end(), name) != table.columns.end();
-  };
+  const auto shown_already = [&](std::string_view name) { return contains(table.columns, name); };
   const bool second = !shown_already(problem.pareto->goal.formula.text());
   if (second) table.columns.push_back(problem.pareto->goal.formula.text());
   std::vector<std::size_t> variables;  // that are no goals
@@ -243,20 +238,14 @@ void print_text(std::span<const DesignProblem> problems, const ParetoReport& fro
 }
 
 Json json_of(const DesignProblem& problem, const OptimiseReport& report) {
-  Json object{{"study", problem.name},
-              {"status", name_of(report.status)},
-              {"reason", report.reason},
-              {problem.goal.maximise ? "maximise" : "minimise", problem.goal.formula.text()},
-              {"over", name_of(problem.goal.over)},
-              {"value", finite_or_null(report.value())},
-              {"unit", problem.unit(problem.goal.formula)},
-              {"best", report.best ? json_of(problem, *report.best) : Json(nullptr)},
-              {"nearest", report.nearest ? json_of(problem, *report.nearest) : Json(nullptr)},
-              {"evaluations", json_of(report.count)},
-              {"slope_evaluations", report.slope_evaluations},
-              {"searches", Json::array()},
-              {"variables", Json::array()},
-              {"constraints", Json::array()}};
+  Json object =
+      json_object("study", problem.name, "status", name_of(report.status), "reason", report.reason,
+                  problem.goal.maximise ? "maximise" : "minimise", problem.goal.formula.text(), "over",
+                  name_of(problem.goal.over), "value", report.value(), "unit", problem.unit(problem.goal.formula),
+                  "best", report.best ? json_of(problem, *report.best) : Json(nullptr), "nearest",
+                  report.nearest ? json_of(problem, *report.nearest) : Json(nullptr), "evaluations",
+                  json_of(report.count), "slope_evaluations", report.slope_evaluations, "searches", Json::array(),
+                  "variables", Json::array(), "constraints", Json::array());
   if (problem.uncertain.any()) {
     object["scatter"] = problem.goal.scatter.text();
     object["scatter_points"] = problem.scatter_points();
@@ -265,9 +254,9 @@ Json json_of(const DesignProblem& problem, const OptimiseReport& report) {
   object["evaluations"]["limit"] = evaluation_limit(problem);
   for (const SearchReport& search : report.searches) {
     const char* const ends[] = {"tolerance", "limit", "failed"};
-    object["searches"].push_back({{"algorithm", name_of(search.algorithm)},
-                                  {"end", ends[static_cast<std::size_t>(search.end)]},
-                                  {"evaluations", search.evaluations}});
+    object["searches"].push_back(json_object("algorithm", name_of(search.algorithm), "end",
+                                             ends[static_cast<std::size_t>(search.end)], "evaluations",
+                                             search.evaluations));
   }
   const auto& optimum = report.optimum;
   for (std::size_t i = 0; i < problem.variables.size(); ++i) {
@@ -287,10 +276,8 @@ Json json_of(const DesignProblem& problem, const OptimiseReport& report) {
   const std::optional<Design>& shown = report.best ? report.best : report.nearest;
   for (std::size_t j = 0; shown && j < shown->constraints.size(); ++j) {
     const ConstraintSides& sides = shown->constraints[j];
-    Json constraint{{"constraint", constraint_name(problem, j)},
-                    {"left", finite_or_null(sides.left)},
-                    {"right", finite_or_null(sides.right)},
-                    {"holds", sides.holds}};
+    Json constraint = json_object("constraint", constraint_name(problem, j), "left", sides.left, "right", sides.right,
+                                  "holds", sides.holds);
     if (optimum) {
       const ConstraintState& state = optimum->constraints[j];
       constraint["slack"] = finite_or_null(state.slack);
@@ -318,20 +305,14 @@ Json json_of(std::span<const DesignProblem> problems, const ParetoReport& front)
   const auto goal_json = [](const Goal& goal) {
     return Json{{goal.maximise ? "maximise" : "minimise", goal.formula.text()}, {"over", name_of(goal.over)}};
   };
-  Json object{{"study", problem.name},
-              {"goal", goal_json(problem.goal)},
-              {"second", goal_json(problem.pareto->goal)},
-              {"conflict", front.conflict},
-              {"complete", front.complete()},
-              {"interrupted", front.interrupted},
-              {"evaluations", json_of(front.count)},
-              {"front", Json::array()}};
+  Json object =
+      json_object("study", problem.name, "goal", goal_json(problem.goal), "second", goal_json(problem.pareto->goal),
+                  "conflict", front.conflict, "complete", front.complete(), "interrupted", front.interrupted,
+                  "evaluations", json_of(front.count), "front", Json::array());
   for (const ParetoPoint& point : front.points) {
-    object["front"].push_back({{"limit", finite_or_null(point.limit)},
-                               {"status", name_of(point.report.status)},
-                               {"reason", point.report.reason},
-                               {"dominated", point.dominated},
-                               {"design", point.report.best ? json_of(problem, *point.report.best) : Json(nullptr)}});
+    object["front"].push_back(json_object("limit", point.limit, "status", name_of(point.report.status), "reason",
+                                          point.report.reason, "dominated", point.dominated, "design",
+                                          point.report.best ? json_of(problem, *point.report.best) : Json(nullptr)));
     if (!problem.chosen.empty()) object["front"].back()["chosen"] = chosen_json(problems[point.choice]);
   }
   return object;

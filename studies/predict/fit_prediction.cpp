@@ -22,7 +22,7 @@ double median_of(std::vector<double> values) {
 
 /// The largest over the smallest.
 double spread_of(const std::vector<double>& values) {
-  const auto [least, most] = std::minmax_element(values.begin(), values.end());
+  const auto [least, most] = minmax_element(values);
   return *most / *least;
 }
 
@@ -40,9 +40,7 @@ FitKnowledge knowledge_of(const FitRecord& fit, const std::vector<AskedScene>& s
   std::vector<std::string> names;
   for (const FitParameterRecord& one : fit.parameters) {
     const ParameterName name = parameter_name(one.name);
-    if (one.fixed || std::none_of(scenes.begin(), scenes.end(),
-                                  [&](const AskedScene& asked) { return acts_on(name, asked.scene.set); }))
-      continue;
+    if (one.fixed || none_of(scenes, [&](const AskedScene& asked) { return acts_on(name, asked.scene.set); })) continue;
     FittedInput input{{name.key}, one.value, name.set};
     if (std::isfinite(one.lowest)) input.input.lowest = one.lowest;
     if (std::isfinite(one.highest)) input.input.highest = one.highest;

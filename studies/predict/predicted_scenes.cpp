@@ -1,6 +1,5 @@
 #include "studies/predict/predicted_scenes.hpp"
 
-#include <algorithm>
 #include <stdexcept>
 
 #include "core/model/scene_rules.hpp"
@@ -44,9 +43,8 @@ struct FitOfScenes {
   }
 
   bool is_fitted(const std::string& key) const {
-    return std::any_of(record.parameters.begin(), record.parameters.end(), [&](const FitParameterRecord& one) {
-      return !one.fixed && parameter_name(one.name).key == key;
-    });
+    return any_of(record.parameters,
+                  [&](const FitParameterRecord& one) { return !one.fixed && parameter_name(one.name).key == key; });
   }
 };
 
@@ -95,8 +93,7 @@ PredictedScenes of_scene(const FitOfScenes& fit, const std::filesystem::path& fi
 std::vector<std::string> varied_inputs(const FitRecord& fit) {
   std::vector<std::string> names;
   for (const FitInputRecord& input : fit.inputs)
-    if (find_input(input.name) && std::find(names.begin(), names.end(), input.name) == names.end())
-      names.push_back(input.name);
+    if (find_input(input.name) && !contains(names, input.name)) names.push_back(input.name);
   return names;
 }
 
@@ -115,8 +112,7 @@ void check_columns(const FitOfScenes& fit, const MeasuredTable& table) {
       throw std::invalid_argument(table.file + ": " + column.name + ": is fitted: leave the column out");
   }
   for (const std::string& key : varied_inputs(fit.record))
-    if (std::none_of(table.columns.begin(), table.columns.end(),
-                     [&](const MeasuredColumn& column) { return held_key(column.name) == key; }))
+    if (none_of(table.columns, [&](const MeasuredColumn& column) { return held_key(column.name) == key; }))
       throw std::invalid_argument(table.file + ": " + key + ": is missing: it varies between the data of the fit");
 }
 

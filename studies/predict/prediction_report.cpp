@@ -38,9 +38,8 @@ bool varies(const FitPredictions& predictions, const std::string& key) {
 }
 
 std::string as_in_words(const FitRecord& fit, PredictedAs as) {
-  const bool terms = std::any_of(fit.parameters.begin(), fit.parameters.end(), [](const FitParameterRecord& one) {
-    return is_measured_term(parameter_name(one.name).key);
-  });
+  const bool terms = any_of(
+      fit.parameters, [](const FitParameterRecord& one) { return is_measured_term(parameter_name(one.name).key); });
   if (as == PredictedAs::true_value) return terms ? "the true value, without offset and scale" : "the true value";
   if (as == PredictedAs::reading) return "the reading, with offset and scale";
   return "one more measurement, with its noise";
@@ -98,8 +97,7 @@ std::vector<DrawnDatum> drawn_data(const FitRecord& fit, const FitPredictions& p
 }  // namespace
 
 std::size_t FitPredictions::without_answer() const {
-  return static_cast<std::size_t>(
-      std::count_if(values.begin(), values.end(), [](const auto& one) { return !std::isfinite(one.value); }));
+  return static_cast<std::size_t>(count_if(values, [](const auto& one) { return !std::isfinite(one.value); }));
 }
 
 FitPredictions predictions_of(const FitRecord& fit, const std::filesystem::path& scenes, PredictedAs as,
@@ -114,8 +112,7 @@ std::string prediction_summary(const FitRecord& fit, const FitPredictions& predi
   Table table{predictions.asked.inputs, {}};
   table.columns.insert(table.columns.end(), {predictions.asked.output, "+-", "95 %"});
   const std::vector<AskedScene>& asked = predictions.asked.scenes;
-  const bool measured =
-      std::any_of(asked.begin(), asked.end(), [](const AskedScene& one) { return std::isfinite(one.measured); });
+  const bool measured = any_of(asked, [](const AskedScene& one) { return std::isfinite(one.measured); });
   if (measured) table.columns.emplace_back("measured");
   for (std::size_t i = 0; i < asked.size(); ++i) {
     std::vector<Cell>& row = table.rows.emplace_back();
@@ -145,14 +142,9 @@ Json json_of(const FitPredictions& predictions) {
     Json& object = list.emplace_back(Json{{"place", asked.scene.measured.place}, {"data", asked.scene.set}});
     for (const std::string& key : predictions.asked.inputs)
       object[key] = json_of(cell_of(input_at(predictions, i, key)));
-    object.update({{"output", predictions.asked.output},
-                   {"unit", unit_of_all(predictions)},
-                   {"predicted_as", name_of(predictions.as)},
-                   {"value", finite_or_null(one.value)},
-                   {"standard_error", finite_or_null(one.standard_error)},
-                   {"lowest", finite_or_null(one.lowest)},
-                   {"highest", finite_or_null(one.highest)},
-                   {"measured", finite_or_null(asked.measured)}});
+    object.update(json_object("output", predictions.asked.output, "unit", unit_of_all(predictions), "predicted_as",
+                              name_of(predictions.as), "value", one.value, "standard_error", one.standard_error,
+                              "lowest", one.lowest, "highest", one.highest, "measured", asked.measured));
   }
   return list;
 }
@@ -203,7 +195,7 @@ ChartRequest prediction_chart(const FitRecord& fit, const FitPredictions& predic
                            y_unit.number(one.lowest), y_unit.number(one.highest)});
   }
   for (ChartCurve& curve : request.curves)
-    std::stable_sort(curve.points.begin(), curve.points.end(), [](const auto& a, const auto& b) { return a.x < b.x; });
+    stable_sort(curve.points, [](const auto& a, const auto& b) { return a.x < b.x; });
   for (const DrawnDatum& one : data) {
     ChartCurve& curve = curve_of(one.label.empty() ? "measured" : "measured, " + one.label, false);
     curve.points.push_back({x_unit.number(one.x), y_unit.number(one.value), true,

@@ -132,13 +132,12 @@ void Command::refuse_unknown_options(std::span<const std::string> words) const {
   std::vector<std::string> names;
   for (const OptionWords& option : this->words().options)
     names.insert(names.end(), option.names.begin(), option.names.end());
-  const std::vector<std::string_view> known(names.begin(), names.end());
   for (const std::string& word : words) {
     if (word == "--") return;
     const std::string name = word.substr(0, word.find('='));
-    if (!name.starts_with("--") || find_name(known, name) >= 0) continue;
+    if (!name.starts_with("--") || contains(names, name)) continue;
     throw std::invalid_argument(
-        unknown(name + ": unknown option of " + this->name(), known, name, "see rollres help " + this->name()));
+        unknown(name + ": unknown option of " + this->name(), names, name, "see rollres help " + this->name()));
   }
 }
 

@@ -7,7 +7,7 @@
 
 #include "studies/program/completion.hpp"
 #include "studies/text/printable.hpp"
-#include "studies/text/strict_json.hpp"
+#include "studies/text/table_json.hpp"
 #include "studies/text/words.hpp"
 
 #ifndef ROLLRES_VERSION
@@ -50,11 +50,8 @@ std::string version_and_libraries() {
   Json libraries = Json::array();
   for (const Library& library : known)
     libraries.push_back({{"name", library.name}, {"version", library.version}, {"licence", library.licence}});
-  const Json all{{"program", "rollres"},
-                 {"version", ROLLRES_VERSION},
-                 {"licence_of_sources", "MIT"},
-                 {"licence_of_binary", "GPL-3.0-or-later"},
-                 {"libraries", libraries}};
+  const Json all = json_object("program", "rollres", "version", ROLLRES_VERSION, "licence_of_sources", "MIT",
+                               "licence_of_binary", "GPL-3.0-or-later", "libraries", libraries);
   return all.dump(2);
 }
 
@@ -77,9 +74,8 @@ void refuse_unknown_command(const Command& program, const std::vector<std::strin
   if (words.empty() || words.front().empty() || words.front().front() == '-') return;
   std::vector<std::string> names;
   for (const auto& command : program.subcommands()) names.push_back(command->name());
-  const std::vector<std::string_view> known(names.begin(), names.end());
-  if (find_name(known, words.front()) >= 0) return;
-  throw std::invalid_argument(unknown(words.front() + ": unknown command", known, words.front(), "see rollres --help"));
+  if (contains(names, words.front())) return;
+  throw std::invalid_argument(unknown(words.front() + ": unknown command", names, words.front(), "see rollres --help"));
 }
 
 }  // namespace

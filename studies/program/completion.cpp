@@ -23,9 +23,7 @@ const std::map<std::string_view, std::string_view> scripts{
 #include "completion_scripts.inc"
 };
 
-bool has(std::span<const std::string_view> names, std::string_view name) {
-  return std::find(names.begin(), names.end(), name) != names.end();
-}
+bool has(std::span<const std::string_view> names, std::string_view name) { return contains(names, name); }
 
 struct Completion {
   std::string kind = "words";
@@ -47,7 +45,7 @@ std::vector<std::string> all_keys() {
   std::vector<std::string> keys = keys_of_inputs();
   const RollingSolution solution;
   visit_outputs(solution, [&](const Quantity& quantity, const auto&) {
-    if (std::find(keys.begin(), keys.end(), quantity.key) == keys.end()) keys.emplace_back(quantity.key);
+    if (!contains(keys, quantity.key)) keys.emplace_back(quantity.key);
   });
   return keys;
 }
@@ -165,8 +163,7 @@ Completion names_of(const CommandWords& command) {
 
 const OptionWords* find_option(const CommandWords& command, const std::string& name) {
   for (const OptionWords& option : command.options)
-    if (!option.positional && std::find(option.names.begin(), option.names.end(), name) != option.names.end())
-      return &option;
+    if (!option.positional && contains(option.names, name)) return &option;
   return nullptr;
 }
 
@@ -200,8 +197,7 @@ std::string completions(const CommandWords& program, const std::vector<std::stri
   if (words.empty()) return "words\n";
   const auto named =
       std::find_if(words.begin(), words.end() - 1, [](const auto& word) { return !word.starts_with('-'); });
-  const auto command = std::find_if(program.commands.begin(), program.commands.end(),
-                                    [&](const CommandWords& one) { return one.name == *named; });
+  const auto command = find_if(program.commands, [&](const CommandWords& one) { return one.name == *named; });
   Completion completion;
   if (named == words.end() - 1)
     completion = words_of_program(program, words.back());

@@ -91,7 +91,7 @@ RelatedPair term_unseen(Dice& dice, RollingScene scene) {
     case 1: {
       // In the mean of all its turns a ring is at rest, however long it remembers.
       if (ContactModel(scene).ring()) return {};
-      const double slowest = *std::max_element(layer->relaxation_times.begin(), layer->relaxation_times.end());
+      const double slowest = *max_element(layer->relaxation_times);
       const double length = std::max(half_width, finite_thickness(scene)) / scene.speed;
       time = beyond * std::max(length / shift, slowest);
       layer->static_shear_modulus = rest + modulus;

@@ -115,7 +115,7 @@ double scale_of(const ComparedOutput& output, const RollingScene& scene, const R
 /// An output of the mirror image across the motion.
 double value_turned_back(const RollingSolution& solution, std::string_view key) {
   constexpr std::array<std::string_view, 4> odd{"axial_force", "lateral_force", "spin_moment", "creepage_y"};
-  return (std::find(odd.begin(), odd.end(), key) != odd.end() ? -1 : 1) * output_number(solution, key);
+  return (contains(odd, key) ? -1 : 1) * output_number(solution, key);
 }
 
 /// A mirror image changes the sign of what points along x, and its edges change places.
@@ -205,8 +205,8 @@ struct Compared {
 
 /// Whether an answer says itself that an output may be off: "peak_pressure may be off by 10 % or more".
 bool doubted(const RollingSolution& solution, std::string_view key) {
-  return std::any_of(solution.warnings.begin(), solution.warnings.end(),
-                     [&](const std::string& warning) { return warning.starts_with(std::string(key) + " may be off"); });
+  return any_of(solution.warnings,
+                [&](const std::string& warning) { return warning.starts_with(std::string(key) + " may be off"); });
 }
 
 /// Compares one output, and keeps it if it is the worst until now.
@@ -271,7 +271,7 @@ bool cut_short(const RollingSolution& solution) {
   const auto told = [](const std::string& words) {
     return words.find("was not reached") != std::string::npos || words.find("the time_limit of ") != std::string::npos;
   };
-  return told(solution.reason) || std::any_of(solution.warnings.begin(), solution.warnings.end(), told);
+  return told(solution.reason) || any_of(solution.warnings, told);
 }
 
 RelationFinding solve_and_compare(const RelatedScenes& scenes, const Evaluate& evaluate, RollingScene& second) {
@@ -294,8 +294,7 @@ RelationFinding compare(const RelatedScenes& scenes, const RollingSolution& one,
   RelationFinding finding;
   const Compared compared{scenes, one, other};
   for (const ComparedOutput& output : compared_outputs)
-    if (std::find(scenes.left_out.begin(), scenes.left_out.end(), output.key) == scenes.left_out.end())
-      compare_output(compared, output, finding);
+    if (!contains(scenes.left_out, output.key)) compare_output(compared, output, finding);
   finding.outcome = finding.worst <= 1 ? RelationOutcome::kept : RelationOutcome::broken;
   return finding;
 }

@@ -15,8 +15,7 @@ std::vector<RelationTrial> planned(const RelationPlan& plan) {
   std::vector<RelationTrial> trials;
   for (std::size_t number = 0; number < std::max(plan.cylinders, plan.spheres); ++number)
     for (std::size_t relation = 0; relation < relations().size(); ++relation) {
-      const bool asked =
-          std::find(plan.names.begin(), plan.names.end(), relations()[relation].name) != plan.names.end();
+      const bool asked = contains(plan.names, relations()[relation].name);
       if (!plan.names.empty() && !asked) continue;
       if (number < plan.cylinders) trials.push_back({relation, Indenter::cylinder, number});
       if (number < plan.spheres && relations()[relation].of_spheres)
@@ -93,26 +92,18 @@ std::vector<RelationCount> relation_counts(const std::vector<RelationTrial>& tri
 }  // namespace
 
 RelationReport run_relations(const RelationPlan& plan, const Evaluate& evaluate) {
-  std::vector<RelationTrial> trials = planned(plan);
-  std::vector<char> ended(trials.size(), 0);
+  const std::vector<RelationTrial> trials = planned(plan);
   ForkedWork work = plan.work(trials.size());
   work.time_limit = 2.2 * plan.time_limit;  // of two solutions that end by themselves
-  work.work = [&](std::size_t piece) {
-    Packer pack;
-    visit_finding(tried(plan, trials[piece], evaluate), pack);
-    return pack.bytes;
+  const auto tell = [&](const RelationTrial& trial, Packer& pack) {
+    visit_finding(tried(plan, trial, evaluate), pack);
   };
-  work.done = [&](const PieceEnd& end) {
-    trials[end.piece].finding = found(end);
-    ended[end.piece] = 1;
-    return !is_broken(trials[end.piece]);
+  const auto take = [](RelationTrial& trial, const PieceEnd& end) {
+    trial.finding = found(end);
+    return !is_broken(trial);
   };
-  run_forked(work);
-
-  RelationReport report;
-  for (std::size_t i = 0; i < trials.size(); ++i)
-    if (ended[i]) report.trials.push_back(std::move(trials[i]));
-  std::stable_sort(report.trials.begin(), report.trials.end(), [](const RelationTrial& a, const RelationTrial& b) {
+  RelationReport report{.trials = try_forked(std::move(work), trials, tell, take)};
+  stable_sort(report.trials, [](const RelationTrial& a, const RelationTrial& b) {
     return a.relation != b.relation ? a.relation < b.relation : a.indenter < b.indenter;
   });
   report.interrupted = report.trials.size() < trials.size();

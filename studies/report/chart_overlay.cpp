@@ -43,10 +43,9 @@ class Overlay {
   }
 
   std::string buttons() const {
-    const bool named = std::any_of(request_.curves.begin(), request_.curves.end(),
-                                   [](const ChartCurve& curve) { return !curve.label.empty(); });
+    const bool named = any_of(request_.curves, [](const ChartCurve& curve) { return !curve.label.empty(); });
     const auto has_button = [&](const ChartCurve& curve) { return !curve.like && !(named && curve.label.empty()); };
-    if (std::count_if(request_.curves.begin(), request_.curves.end(), has_button) < 2) return "";
+    if (count_if(request_.curves, has_button) < 2) return "";
     if (!request_.families.empty()) return buttons_of_families();
     std::string markup = "<div class=\"families\">";
     if (!request_.family.name.empty()) markup += "<span>" + xml_text(request_.family.name) + "</span>";

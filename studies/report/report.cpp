@@ -5,6 +5,7 @@
 #include "studies/report/html.hpp"
 #include "studies/report/report_sections.hpp"
 #include "studies/stored/accepted_study.hpp"
+#include "studies/stored_fits/stored_fit.hpp"
 
 namespace rollres {
 
@@ -26,11 +27,7 @@ StudyReport fit_report(const FitRecord& fit, const std::string& file) {
 /// A report without the frame of a page.
 StudyReport report_of(ResultStore& store, const ReportOptions& options) {
   const std::string& file = store.database().name();
-  std::string name = options.study;
-  if (const auto fits = stored_fits(store.database()); name.empty() && fits.size() == 1 && store.study_names().empty())
-    name = fits.front().name;
-  if (!name.empty() && !store.definition(name))
-    if (const auto fit = find_fit(store.database(), name, FitParts::with_data)) return fit_report(*fit, file);
+  if (const auto fit = meant_fit(store, options.study, FitParts::with_data)) return fit_report(*fit, file);
 
   const auto shown = std::make_shared<const ShownStudy>(store, StudyChartOptions{.study = options.study});
   const StudySummary study = stored_study(store, shown->study.name);

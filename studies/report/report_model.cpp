@@ -33,7 +33,7 @@ std::string count_table(const std::string& what, const TextCounts& counts) {
   std::size_t place = 0;
   for (const auto& [text, count] : counts) kinds[words[place++]] += count;
   std::vector<std::pair<std::string, std::size_t>> list(kinds.begin(), kinds.end());
-  std::stable_sort(list.begin(), list.end(), [](const auto& a, const auto& b) { return a.second > b.second; });
+  stable_sort(list, [](const auto& a, const auto& b) { return a.second > b.second; });
   std::vector<TableRow> rows;
   for (const auto& [text, count] : list)
     if (rows.size() < most) rows.push_back({{text.empty() ? "-" : text, std::to_string(count)}});
@@ -51,8 +51,7 @@ std::vector<RollingScene> scenes_of_curves(const ReportSource& source) {
     const auto answer = source.store.find(keys[i]);
     if (!answer || !is_measured_curve(answer->scene.material)) continue;
     const RollingScene& scene = answer->scene;
-    if (std::none_of(found.begin(), found.end(),
-                     [&](const RollingScene& other) { return measured_curve(other) == measured_curve(scene); }))
+    if (none_of(found, [&](const RollingScene& other) { return measured_curve(other) == measured_curve(scene); }))
       found.push_back(scene);
   }
   return found;

@@ -207,8 +207,7 @@ ChartRequest goal_chart(const ReportSource& source, const StoredOptimum& found, 
 std::vector<std::string> optimum_sentences(const StoredOptimum& found) {
   const DesignProblem& problem = found.problem;
   const std::string extreme = problem.goal.maximise ? "greatest " : "least ", goal = goal_in_words(problem);
-  const auto feasible =
-      std::count_if(found.designs.begin(), found.designs.end(), [](const Design& design) { return design.feasible(); });
+  const auto feasible = count_if(found.designs, [](const Design& design) { return design.feasible(); });
   const std::string counted = std::to_string(found.designs.size()) + " designs have an answer, " +
                               std::to_string(feasible) + " of them meet " +
                               (problem.constraints.size() == 1 ? "the constraint." : "the constraints.");

@@ -1,7 +1,5 @@
 #include <algorithm>
 #include <cmath>
-#include <fstream>
-#include <iterator>
 #include <stdexcept>
 
 #include "db/file/temporary_folder.hpp"
@@ -21,22 +19,15 @@ namespace rollres {
 
 namespace {
 
-std::string content(const std::filesystem::path& file) {
-  std::ifstream stream(file, std::ios::binary);
-  std::string text{std::istreambuf_iterator<char>(stream), {}};
-  if (!stream && !stream.eof()) throw std::runtime_error(file.string() + ": cannot be read");
-  return text;
-}
-
 /// Pictures of a section, drawn one after the other.
 class Pictures {
  public:
   void add(const std::string& meaning, const std::function<ChartFiles(const std::filesystem::path&)>& draw) {
-    html_ += html::picture(content(draw(folder_ / "picture.svg").svg), meaning);
+    html_ += html::picture(content_of(draw(folder_ / "picture.svg").svg), meaning);
     ++count_;
   }
   void add(const std::string& meaning, const ChartRequest& request) {
-    const std::string svg = content(draw_chart(request, folder_ / "picture.svg").svg);
+    const std::string svg = content_of(draw_chart(request, folder_ / "picture.svg").svg);
     html_ += html::picture(svg, meaning, chart_overlay(request, svg));
     ++count_;
   }
@@ -308,7 +299,7 @@ PictureSection chart_section(const ReportSource& study, const ReportOptions& opt
   const ScatteredResistance scattered(source);
   add_scatter(source, scattered, pictures);
   const auto& charts = source.definition.charts;
-  const bool mapped = std::any_of(charts.begin(), charts.end(), [](const auto& chart) { return !chart.map.empty(); });
+  const bool mapped = any_of(charts, [](const auto& chart) { return !chart.map.empty(); });
   if (!mapped || !options.optimum.empty()) add_map(source, options, pictures);
   return {html::heading("Charts") + pictures.html() + refusal + scatter_table(source, scattered), pictures.count()};
 }

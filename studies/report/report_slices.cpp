@@ -33,7 +33,7 @@ FixedAxes fixed_at_middle(const ReportSource& source, const ReportOptions& optio
 
 std::vector<const QuantityColumn*> longest_first(const ReportSource& source, const std::string& wish) {
   std::vector<const QuantityColumn*> axes = source.varied();
-  std::stable_sort(axes.begin(), axes.end(), [&](const auto* one, const auto* other) {
+  stable_sort(axes, [&](const auto* one, const auto* other) {
     const auto rank = [&](const auto* axis) {
       if (!wish.empty() && (key_of(*axis) == wish || axis->name == wish)) return source.rows.size() + 1;
       return axis->type == "TEXT" ? 0 : source.rows.values(*axis).size();

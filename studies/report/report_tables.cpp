@@ -19,10 +19,6 @@ using html::TableRow;
 
 const QuantityColumn& output(const std::string& key) { return *find_quantity_column(key); }
 
-std::string to_the_second(const std::string& time) {
-  return time.size() < 19 ? time : time.substr(0, 10) + " " + time.substr(11, 8);
-}
-
 bool at_default(const Cell& cell, const InputKind& kind) {
   if (kind.optional || kind.list) return std::holds_alternative<std::monostate>(cell);
   if (const auto* const text = std::get_if<std::string>(&kind.default_value)) return cell == Cell(*text);
@@ -67,7 +63,7 @@ std::string span_of_points(const ReportSource& source, const std::vector<std::si
     const auto less = [&](std::size_t a, std::size_t b) {
       return source.rows.cell(a, *axis) < source.rows.cell(b, *axis);
     };
-    const auto [least, greatest] = std::minmax_element(points.begin(), points.end(), less);
+    const auto [least, greatest] = minmax_element(points, less);
     const std::string from = shown_cell(source.rows, *least, *axis), to = shown_cell(source.rows, *greatest, *axis);
     return in_words(axis->quantity.key) + " = " + (from == to ? from : from + " to " + to);
   });
@@ -90,7 +86,7 @@ std::vector<ResultColumn> result_columns(const ReportSource& source) {
   constexpr std::size_t most = 9;
   std::vector<ResultColumn> columns;
   const auto add = [&](const QuantityColumn& column) {
-    const bool there = std::any_of(columns.begin(), columns.end(), [&](const auto& c) { return c.column == &column; });
+    const bool there = any_of(columns, [&](const auto& c) { return c.column == &column; });
     if (!there && columns.size() < most) columns.emplace_back(source, column);
   };
   for (const QuantityColumn* const axis : source.varied()) add(*axis);
@@ -160,7 +156,7 @@ std::string scene_section(const ReportSource& source) {
       constexpr std::size_t few = 8;
       const std::string list = values.size() <= few ? joined(values, ", ", shown)
                                                     : shown(*values.begin()) + " to " + shown(*values.rbegin());
-      const bool axis = std::find(varied.begin(), varied.end(), &column) != varied.end();
+      const bool axis = contains(varied, &column);
       axes.push_back({{key, symbol, list, std::to_string(values.size()), axis ? meaning : meaning + " (follows)"}});
       continue;
     }
@@ -168,7 +164,7 @@ std::string scene_section(const ReportSource& source) {
     const InputKind* const kind = find_input(q.key);
     if (std::holds_alternative<std::monostate>(value)) continue;
     if (kind && at_default(value, *kind) &&
-        std::all_of(scenes.begin(), scenes.end(), [&](const RollingScene& scene) { return is_idle(scene, q.key); }))
+        all_of(scenes, [&](const RollingScene& scene) { return is_idle(scene, q.key); }))
       continue;
     if (kind && at_default(value, *kind) && !q.symbol.empty() && q.unit != "1")
       inputs.push_back({{key, symbol, shown(value), meaning}});
@@ -227,8 +223,7 @@ std::string failure_section(const ReportSource& source) {
   std::vector<TableRow> rows;
   for (const auto& [words, points] : kinds)
     rows.push_back({{words, std::to_string(points.size()), span_of_points(source, points)}});
-  std::stable_sort(rows.begin(), rows.end(),
-                   [](const auto& a, const auto& b) { return std::stoul(a.cells[1]) > std::stoul(b.cells[1]); });
+  stable_sort(rows, [](const auto& a, const auto& b) { return std::stoul(a.cells[1]) > std::stoul(b.cells[1]); });
   section += html::table({{"reason"}, {"points", true}, {"where"}}, rows);
   std::string all = html::table({{"point"}, {"status"}, {"reason"}}, places);
   if (reasons.size() > most)

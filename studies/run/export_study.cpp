@@ -28,14 +28,10 @@ provenance.json  which version of rollres, on which machine, computed how many o
 )";
 
 Json provenance_of(ResultStore& store, const StudySummary& study) {
-  Json object{{"study", study.name},
-              {"created", study.created},
-              {"started", study.started},
-              {"points", study.points},
-              {"answered", study.answered},
-              {"failed", study.failed},
-              {"programs", Json::array()},
-              {"exported_by", {{"version", this_program().version}, {"git_hash", this_program().git_hash}}}};
+  Json object =
+      json_object("study", study.name, "created", study.created, "started", study.started, "points", study.points,
+                  "answered", study.answered, "failed", study.failed, "programs", Json::array(), "exported_by",
+                  json_object("version", this_program().version, "git_hash", this_program().git_hash));
   for (const ComputedShare& made : computed_shares(store, study.name)) {
     Json& program = object["programs"].emplace_back(json_of(made.program));
     program.update({{"points", made.points}, {"first_result", made.first}, {"last_result", made.last}});

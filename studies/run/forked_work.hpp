@@ -9,6 +9,8 @@
 #include <limits>
 #include <string>
 #include <type_traits>
+#include <utility>
+#include <vector>
 
 #include "studies/run/progress.hpp"
 
@@ -72,5 +74,25 @@ struct Unpacker {
 /// Hands out pieces 0, 1, ... until all are done. The calling process must have no other threads.
 /// @throws std::runtime_error if no process can be started
 void run_forked(const ForkedWork& work);
+
+/// The trials that ended, in their order, each tried in a child process: `tell(trial, pack)` there packs its answer,
+/// `take(trial, end)` puts it into the trial and returns whether it went well. @throws likewise
+template <class Trial, class Tell, class Take>
+std::vector<Trial> try_forked(ForkedWork work, std::vector<Trial> trials, const Tell& tell, const Take& take) {
+  std::vector<char> ended(trials.size(), 0);
+  work.work = [&](std::size_t piece) {
+    Packer pack;
+    tell(std::as_const(trials[piece]), pack);
+    return pack.bytes;
+  };
+  work.done = [&](const PieceEnd& end) {
+    ended[end.piece] = 1;
+    return take(trials[end.piece], end);
+  };
+  run_forked(work);
+  std::size_t place = 0;
+  std::erase_if(trials, [&](const Trial&) { return !ended[place++]; });
+  return trials;
+}
 
 }  // namespace rollres

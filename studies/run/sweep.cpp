@@ -105,7 +105,7 @@ std::vector<std::string> store_ended_points(ResultStore& store, const std::files
   std::vector<std::string> again;
   for (const EndedPoint& point : ended) {
     const auto place = std::find(keys.begin(), keys.end(), point.key);
-    const auto times = std::count_if(ended.begin(), ended.end(), [&](const auto& one) { return one.key == point.key; });
+    const auto times = count_if(ended, [&](const auto& one) { return one.key == point.key; });
     const bool out_of_memory = point.signal == SIGKILL;
     if (place == keys.end() || (out_of_memory && times == 1)) kept.push_back(point);
     if (place == keys.end()) continue;
@@ -141,8 +141,7 @@ Part part_of(const StudyPlan& plan, std::vector<std::string> keys, const Shard& 
 }
 
 std::size_t count(const std::vector<PointState>& states, Answer answer) {
-  return static_cast<std::size_t>(
-      std::count_if(states.begin(), states.end(), [&](const PointState& state) { return state.answer == answer; }));
+  return static_cast<std::size_t>(count_if(states, [&](const PointState& state) { return state.answer == answer; }));
 }
 
 }  // namespace
@@ -173,8 +172,7 @@ SweepReport run_sweep(const Study& study, const Evaluate& solve_one, const std::
     known.push_back(state.answer != Answer::missing && !old.contains(keys[known.size()]));
   }
 
-  const bool width_varies =
-      std::any_of(study.axes.begin(), study.axes.end(), [](const Axis& axis) { return axis.key == "width"; });
+  const bool width_varies = any_of(study.axes, [](const Axis& axis) { return axis.key == "width"; });
   const Evaluate evaluate = width_varies && options.fields == Fields::dropped ? once_for_widths(solve_one) : solve_one;
   Run run;
   run.stop_from_outside = options.stop;
@@ -233,7 +231,7 @@ SweepReport run_sweep(const Study& study, const Evaluate& solve_one, const std::
 
   SweepReport report;
   report.study = store.study(study.name).value_or(StudySummary{});
-  const auto again = std::count_if(keys.begin(), keys.end(), [&](const std::string& key) { return old.contains(key); });
+  const auto again = count_if(keys, [&](const std::string& key) { return old.contains(key); });
   const std::vector<PointState> states = point_states(reader.database(), keys);
   report.dropped = plan.all_dropped();
   report.points = keys.size();

@@ -38,8 +38,7 @@ bool below_zero(bool of_logarithm, double x) { return of_logarithm && x <= 0; }
 
 std::string broken_rule(const Distribution& distribution) {
   const std::vector<double>& p = distribution.parameters;
-  if (!std::all_of(p.begin(), p.end(), [](double number) { return std::isfinite(number); }))
-    return "its numbers must be finite";
+  if (!all_of(p, [](double number) { return std::isfinite(number); })) return "its numbers must be finite";
   switch (distribution.kind) {
     case DistributionKind::normal:
       return p[1] > 0 ? "" : "the standard deviation must be > 0";

@@ -59,8 +59,7 @@ Exponents exponents_of(std::string_view unit) {
       power = symbol.back() - '0';
       symbol.remove_suffix(1);
     }
-    const auto found =
-        std::find_if(symbols.begin(), symbols.end(), [&](const NamedUnit& known) { return known.name == symbol; });
+    const auto found = find_if(symbols, [&](const NamedUnit& known) { return known.name == symbol; });
     for (std::size_t i = 0; found != symbols.end() && i < all.size(); ++i) all[i] += sign * power * found->exponents[i];
     if (end < unit.size()) sign = unit[end] == '/' ? -1 : 1;
     begin = end + 1;
@@ -115,8 +114,7 @@ std::optional<std::string> unit_of_value(const Formula& formula, Body body) {
   for (std::size_t base = 0; base < found.size(); ++base) {
     constexpr std::size_t of_quantities = found.size() - currencies.size();
     const auto has_base = [base](const FormulaConstant& constant) { return constant.exponents[base] != 0; };
-    if (base >= of_quantities && std::none_of(formula.constants().begin(), formula.constants().end(), has_base))
-      continue;
+    if (base >= of_quantities && none_of(formula.constants(), has_base)) continue;
     double lowest = std::numeric_limits<double>::infinity(), highest = -lowest;
     std::size_t valid = 0;
     for (std::size_t i = 0; i < places.size(); ++i) {

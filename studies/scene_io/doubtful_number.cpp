@@ -88,8 +88,7 @@ std::string doubt_of_limit(const Quantity& quantity, std::string_view unit, doub
 }
 
 std::size_t telling_place(const Quantity& quantity, const std::vector<double>& values) {
-  const auto found = temperature(quantity) ? std::min_element(values.begin(), values.end())
-                                           : std::max_element(values.begin(), values.end());
+  const auto found = temperature(quantity) ? min_element(values) : max_element(values);
   return static_cast<std::size_t>(found - values.begin());
 }
 
@@ -142,7 +141,7 @@ std::vector<FormulaToken> tokens_of(std::string_view text) {
 }
 
 bool is_one_of(const FormulaToken& token, std::initializer_list<std::string_view> texts) {
-  return std::find(texts.begin(), texts.end(), token.text) != texts.end();
+  return contains(texts, token.text);
 }
 
 }  // namespace

@@ -1,6 +1,5 @@
 #include "studies/scene_io/fields_file.hpp"
 
-#include <algorithm>
 #include <cassert>
 #include <cmath>
 #include <type_traits>
@@ -106,7 +105,7 @@ std::string fields_csv(const RollingScene& scene, const SurfaceFields& fields, c
 std::string fields_vti(const RollingScene& scene, const SurfaceFields& fields, const RollingSolution& solution) {
   std::vector<Column> columns = columns_of(slip_speed(scene, solution), fields);
   std::erase_if(columns, [](const Column& column) {
-    return !std::all_of(column.values.begin(), column.values.end(), [](double value) { return std::isfinite(value); });
+    return !all_of(column.values, [](double value) { return std::isfinite(value); });
   });
   const SurfaceGrid& grid = fields.grid;
   const bool strip = dimension_of(scene.indenter) == 2;  // the one row twice, that it is seen as a surface

@@ -131,8 +131,7 @@ std::string with_definitions(std::string_view text, const FormulaDefinitions& de
     if (name == std::string_view::npos) break;
     const std::size_t end = std::min(text.find_first_not_of(name_letters, name), text.size());
     const std::string_view word = text.substr(name, end - name);
-    const auto found =
-        std::find_if(definitions.begin(), definitions.end(), [&](const auto& one) { return one.first == word; });
+    const auto found = find_if(definitions, [&](const auto& one) { return one.first == word; });
     complete += found == definitions.end() ? held_formula(std::string(word)) : "(" + found->second + ")";
     begin = end;
   }
@@ -224,7 +223,7 @@ struct Formula::Parts {
     for (std::size_t i = 0; i < constants.size(); ++i)
       constant_values[i] = constants[i].value * (factors.empty() ? 1 : factors[i]);
     std::transform(keys.begin(), keys.end(), values.begin(), number_of_key);
-    const bool absent = std::any_of(values.begin(), values.end(), [](double one) { return std::isnan(one); });
+    const bool absent = any_of(values, [](double one) { return std::isnan(one); });
     return absent ? RollingSolution::absent : parser.Eval();
   }
 };

@@ -1,6 +1,5 @@
 #include "studies/scene_io/interior_file.hpp"
 
-#include <algorithm>
 #include <array>
 #include <cmath>
 
@@ -53,9 +52,8 @@ std::string number(double value) { return shortest(value + 0.0); }
 std::string file_name(const std::vector<InteriorSection>& sections, std::size_t place) {
   const InteriorSection& section = sections[place];
   if (!section.is_face()) return section.on_body ? "coating" : "inside";
-  const auto first = std::find_if(sections.begin(), sections.end(), [&](const InteriorSection& other) {
-    return other.is_face() && other.on_body == section.on_body;
-  });
+  const auto first = find_if(
+      sections, [&](const InteriorSection& other) { return other.is_face() && other.on_body == section.on_body; });
   return std::string(section.on_body ? "coating_" : "") + "face_" + std::to_string(&section - &*first);
 }
 

@@ -1,12 +1,11 @@
 #include "studies/scene_io/master_curve_file.hpp"
 
-#include <algorithm>
 #include <cmath>
 #include <numbers>
-#include <numeric>
 #include <stdexcept>
 
 #include "core/material/material_functions.hpp"
+#include "core/numerics/sorted_places.hpp"
 #include "studies/scene_io/doubtful_number.hpp"
 #include "studies/scene_io/scene_inputs.hpp"
 
@@ -56,8 +55,8 @@ constexpr std::array<ModulusName, 20> modulus_names{
 
 /// The first of these names for a column.
 std::string name_that_says(std::string_view plain, ListedModuli said) {
-  const auto found = std::find_if(modulus_names.begin(), modulus_names.end(),
-                                  [&](const ModulusName& name) { return name.plain == plain && name.said == said; });
+  const auto found =
+      find_if(modulus_names, [&](const ModulusName& name) { return name.plain == plain && name.said == said; });
   return std::string(found->written);
 }
 
@@ -111,8 +110,7 @@ std::optional<ListedModuli> take_modulus_names(MeasuredTable& table) {
   std::optional<ListedModuli> said;
   std::string saying;
   for (MeasuredColumn& column : table.columns) {
-    const auto found = std::find_if(modulus_names.begin(), modulus_names.end(),
-                                    [&](const ModulusName& name) { return name.written == column.name; });
+    const auto found = find_if(modulus_names, [&](const ModulusName& name) { return name.written == column.name; });
     if (found == modulus_names.end()) continue;
     if (const MeasuredColumn* const other = table.find(found->plain))
       throw std::invalid_argument(table.file + ": give " + (other->written.empty() ? other->name : other->written) +
@@ -179,9 +177,7 @@ bool is_over_time(const MeasuredTable& table) {
 void refuse_against_time(const MeasuredTable& table, const MeasuredColumn& column, const std::vector<double>& times,
                          const std::vector<double>& values, int sign) {
   constexpr double noise = 0.05;
-  std::vector<std::size_t> order(times.size());
-  std::iota(order.begin(), order.end(), 0U);
-  std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return times[a] < times[b]; });
+  const std::vector<std::size_t> order = sorted_places(times.size(), [&](std::size_t row) { return times[row]; });
   std::size_t extreme = order.front();
   for (const std::size_t row : order) {
     if (sign * std::log(values[row] / values[extreme]) > noise)
@@ -343,8 +339,7 @@ std::vector<TablePart> parts_with_tables(Json& scene) {
   if (!scene.is_object()) return {};
   std::vector<TablePart> parts;
   const auto add = [&](Json& object, const std::string& prefix) {
-    if (std::any_of(table_keys.begin(), table_keys.end(),
-                    [&](std::string_view key) { return object.contains(std::string(key)); }))
+    if (any_of(table_keys, [&](std::string_view key) { return object.contains(std::string(key)); }))
       parts.push_back({&object, prefix});
   };
   add(scene, "");

@@ -9,7 +9,7 @@
 #include "core/model/scene_rules.hpp"
 #include "core/numerics/solution_limits.hpp"
 #include "core/solve/resolve.hpp"
-#include "studies/text/strict_json.hpp"
+#include "studies/text/table_json.hpp"
 #include "studies/text/table_output.hpp"
 
 namespace rollres {
@@ -31,12 +31,9 @@ Json json_of(const std::vector<ModelLayer>& layers) {
     Json times = Json::array();
     for (const CreepSpectrum::Term& term : layer.creep.terms) times.push_back(term.time);
     const Json thickness = std::isinf(layer.layer_thickness) ? Json("infinite") : Json(layer.layer_thickness);
-    list.push_back({{"layer_thickness", thickness},
-                    {"poisson_ratio", layer.poisson_ratio},
-                    {"layer_density", layer.layer_density},
-                    {"modulus_at_rest", layer.modulus_at_rest},
-                    {"modulus_at_once", 1 / layer.creep.instantaneous},
-                    {"retardation_times", times}});
+    list.push_back(json_object("layer_thickness", thickness, "poisson_ratio", layer.poisson_ratio, "layer_density",
+                               layer.layer_density, "modulus_at_rest", layer.modulus_at_rest, "modulus_at_once",
+                               1 / layer.creep.instantaneous, "retardation_times", times));
   }
   return list;
 }
@@ -62,23 +59,13 @@ std::string model_json(const RollingScene& scene) {
   const ContactModel model = model_of_valid(scene);
   Json words = Json::array();
   for (const ModelStatement& line : model_in_words(model)) words.push_back({line.about, line.text});
-  const Json object{{"indenter", name_of(model.indenter)},
-                    {"dimension", model.dimension},
-                    {"foundation", json_of(model.foundation)},
-                    {"coating", json_of(model.coating)},
-                    {"composite", model.composite()},
-                    {"rigid_base", has_rigid_base(model)},
-                    {"flow", model.flow},
-                    {"inertia", model.inertia},
-                    {"inertia_automatic", model.inertia_automatic},
-                    {"rayleigh_number", rayleigh_number(model)},
-                    {"method", name_of(model.method)},
-                    {"asked_method", name_of(model.asked_method)},
-                    {"asked_tolerance", json_of(model.asked_tolerance)},
-                    {"left_out", model.left_out},
-                    {"tolerance", json_of(model.tolerance)},
-                    {"decisions", model.decisions},
-                    {"words", words}};
+  const Json object = json_object(
+      "indenter", name_of(model.indenter), "dimension", model.dimension, "foundation", json_of(model.foundation),
+      "coating", json_of(model.coating), "composite", model.composite(), "rigid_base", has_rigid_base(model), "flow",
+      model.flow, "inertia", model.inertia, "inertia_automatic", model.inertia_automatic, "rayleigh_number",
+      rayleigh_number(model), "method", name_of(model.method), "asked_method", name_of(model.asked_method),
+      "asked_tolerance", json_of(model.asked_tolerance), "left_out", model.left_out, "tolerance",
+      json_of(model.tolerance), "decisions", model.decisions, "words", words);
   return object.dump(2);
 }
 

@@ -1,6 +1,5 @@
 #include "studies/scene_io/scene_entries.hpp"
 
-#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <optional>
@@ -133,7 +132,7 @@ void refuse_unsaid_moduli(const Given& given, MaterialModel material, const std:
 /// The entry of this key, or the end.
 template <class Entries>
 auto entry_of(Entries& entries, std::string_view key) {
-  return std::find_if(entries.begin(), entries.end(), [&](const SceneEntry& entry) { return entry.key == key; });
+  return find_if(entries, [&](const SceneEntry& entry) { return entry.key == key; });
 }
 
 BondedLayer layer_of_object(const SceneEntry& owner, const Json& object) {
@@ -143,8 +142,7 @@ BondedLayer layer_of_object(const SceneEntry& owner, const Json& object) {
   for (const InputKind& kind : layer_kinds()) known.push_back(kind.quantity.key);
   for (const auto& [key, value] : object.items()) {
     if (find_name(ignored_keys, key) >= 0) continue;
-    const auto kind = std::find_if(layer_kinds().begin(), layer_kinds().end(),
-                                   [&](const InputKind& candidate) { return candidate.quantity.key == key; });
+    const auto kind = find_if(layer_kinds(), [&](const InputKind& candidate) { return candidate.quantity.key == key; });
     const SceneEntry entry{owner.key + "." + key, value, owner.place};
     if (kind == layer_kinds().end()) refuse(entry.place, entry.key, value, unknown_input(known, key));
     assign_layer_input(layer, kind->quantity.key, input_value(entry, *kind, Indenter::cylinder));
@@ -171,7 +169,7 @@ void refuse_unknown_key(const SceneEntry& entry) {
 
 void add_entry(std::vector<SceneEntry>& entries, const SceneEntry& given) {
   SceneEntry held = held_entry(given);
-  if (std::any_of(entries.begin(), entries.end(), [&](const SceneEntry& other) { return other.key == held.key; }))
+  if (any_of(entries, [&](const SceneEntry& other) { return other.key == held.key; }))
     refuse(given.place, given.key, given.value, given_again(held.key));
   entries.push_back(std::move(held));
 }

@@ -1,6 +1,5 @@
 #include "studies/scene_io/scene_inputs.hpp"
 
-#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <map>
@@ -72,8 +71,7 @@ void assign(Value& target, std::string_view key, const InputValue& value) {
 }
 
 const InputKind* find_kind(const std::vector<InputKind>& kinds, std::string_view key) {
-  const auto found =
-      std::find_if(kinds.begin(), kinds.end(), [&](const InputKind& kind) { return kind.quantity.key == key; });
+  const auto found = find_if(kinds, [&](const InputKind& kind) { return kind.quantity.key == key; });
   return found == kinds.end() ? nullptr : &*found;
 }
 

@@ -34,8 +34,7 @@ std::vector<std::string_view> replaced_by(const SceneEntry& entry) {
 /// The object of the layer that an override means.
 Json& layer_object(std::vector<SceneEntry>& entries, const SceneEntry& override) {
   const LayerKey parts = layer_key(override.key).value();
-  const auto list =
-      std::find_if(entries.begin(), entries.end(), [&](const SceneEntry& entry) { return entry.key == parts.list; });
+  const auto list = find_if(entries, [&](const SceneEntry& entry) { return entry.key == parts.list; });
   RollingScene scene;
   if (list != entries.end()) assign_input(scene, parts.list, BondedLayers(list->value.size()));
   if (const std::string why = absent_layer(scene, override.key); !why.empty())
@@ -53,8 +52,7 @@ void refuse_numbers_of_other_length(Body was, const std::vector<SceneEntry>& aft
   const std::string anew =
       is.of_width ? "per metre: give it too, of the whole body" : "of the whole body: give it too, per metre";
   const std::vector<SceneEntry>& changes = is.of_width ? overrides : taken;
-  const SceneEntry& width =
-      *std::find_if(changes.begin(), changes.end(), [](const SceneEntry& entry) { return entry.key == "width"; });
+  const SceneEntry& width = *find_if(changes, [](const SceneEntry& entry) { return entry.key == "width"; });
   for (const SceneEntry& entry : after)
     if (entry.value.is_number() && find_input(entry.key)->quantity.grows_with_width() &&
         !value_given(overrides, entry.key))
@@ -170,8 +168,7 @@ Json without_replaced_tables(Json object, const std::vector<std::string>& words)
         if (const auto said = value_in(words, part.prefix + std::string(listed_moduli_key)))
           (*part.object)[std::string(listed_moduli_key)] = *said;
       }
-    if (any && std::none_of(table_keys.begin(), table_keys.end(), named))
-      part.object->erase(std::string(ignored_columns_key));
+    if (any && none_of(table_keys, named)) part.object->erase(std::string(ignored_columns_key));
   }
   return object;
 }

@@ -53,7 +53,7 @@ std::string meant_by(std::string_view key) {
   std::string small(key);
   std::transform(small.begin(), small.end(), small.begin(), [](unsigned char letter) { return std::tolower(letter); });
   for (const UsualNames& usual : usual_names)
-    if (std::find(usual.names.begin(), usual.names.end(), small) != usual.names.end()) return std::string(usual.meant);
+    if (contains(usual.names, small)) return std::string(usual.meant);
   return input_with_symbol(key);
 }
 

@@ -1,11 +1,10 @@
 #include "studies/sensitivity/gradient_report.hpp"
 
-#include <algorithm>
 #include <chrono>
 #include <cmath>
-#include <numeric>
 #include <ostream>
 
+#include "core/numerics/sorted_places.hpp"
 #include "core/scene/scene_input.hpp"
 #include "studies/run/progress.hpp"
 #include "studies/text/readable_number.hpp"
@@ -48,13 +47,10 @@ GradientReport gradient_report(Objective objective, const GradientOptions& optio
 }
 
 void sort_by_elasticity(GradientReport& report) {
-  std::vector<std::size_t> order(report.size());
-  std::iota(order.begin(), order.end(), std::size_t{0});
-  const auto size = [&](std::size_t i) {
+  const std::vector<std::size_t> order = sorted_places(report.size(), [&](std::size_t i) {
     const double elasticity = std::abs(report.gradient.inputs[i].elasticity);
-    return std::isnan(elasticity) ? -1 : elasticity;
-  };
-  std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return size(a) > size(b); });
+    return std::isnan(elasticity) ? 1 : -elasticity;
+  });
   const auto sort = [&](auto& list) {
     auto sorted = list;
     for (std::size_t i = 0; i < order.size(); ++i) sorted[i] = list[order[i]];
@@ -90,14 +86,9 @@ Table table_of(const GradientReport& report) {
 
 Json json_of(const GradientReport& report) {
   const ObjectiveValue& centre = report.gradient.centre;
-  Json object{{"output", report.objective.output.key},
-              {"unit", report.output_unit()},
-              {"value", finite_or_null(centre.value)},
-              {"status", name_of(centre.status)},
-              {"reason", centre.reason},
-              {"evaluations", report.evaluations()},
-              {"seconds", report.seconds},
-              {"inputs", Json::array()}};
+  Json object = json_object("output", report.objective.output.key, "unit", report.output_unit(), "value", centre.value,
+                            "status", name_of(centre.status), "reason", centre.reason, "evaluations",
+                            report.evaluations(), "seconds", report.seconds, "inputs", Json::array());
   for (std::size_t i = 0; i < report.size(); ++i) {
     const InputReport input = report[i];
     const Variable& variable = input.variable;
@@ -106,26 +97,14 @@ Json json_of(const GradientReport& report) {
     for (const auto* const points : {&input.calibration.failures, &gradient.failures})
       for (const FailedPoint& point : *points)
         failures.push_back({{"value", point.value}, {"status", name_of(point.status)}, {"reason", point.reason}});
-    object["inputs"].push_back({{"key", variable.quantity.key},
-                                {"unit", variable.quantity.unit_for(report.body())},
-                                {"value", input.value},
-                                {"lowest", finite_or_null(variable.lowest)},
-                                {"highest", finite_or_null(variable.highest)},
-                                {"scale", name_of(variable.scaling)},
-                                {"derivative", finite_or_null(gradient.derivative)},
-                                {"derivative_unit", report.derivative_unit(variable)},
-                                {"error", finite_or_null(gradient.error())},
-                                {"truncation_error", finite_or_null(gradient.truncation_error)},
-                                {"noise_error", finite_or_null(gradient.noise_error)},
-                                {"solution_error", finite_or_null(gradient.solution_error)},
-                                {"elasticity", finite_or_null(gradient.elasticity)},
-                                {"elasticity_error", finite_or_null(input.elasticity_error())},
-                                {"noise", finite_or_null(input.calibration.size.noise)},
-                                {"relative_noise", finite_or_null(input.relative_noise())},
-                                {"step", finite_or_null(gradient.step)},
-                                {"scheme", name_of(gradient.scheme)},
-                                {"evaluations", input.evaluations()},
-                                {"failures", failures}});
+    object["inputs"].push_back(json_object(
+        "key", variable.quantity.key, "unit", variable.quantity.unit_for(report.body()), "value", input.value, "lowest",
+        variable.lowest, "highest", variable.highest, "scale", name_of(variable.scaling), "derivative",
+        gradient.derivative, "derivative_unit", report.derivative_unit(variable), "error", gradient.error(),
+        "truncation_error", gradient.truncation_error, "noise_error", gradient.noise_error, "solution_error",
+        gradient.solution_error, "elasticity", gradient.elasticity, "elasticity_error", input.elasticity_error(),
+        "noise", input.calibration.size.noise, "relative_noise", input.relative_noise(), "step", gradient.step,
+        "scheme", name_of(gradient.scheme), "evaluations", input.evaluations(), "failures", failures));
   }
   return object;
 }

@@ -1,4 +1,3 @@
-#include <algorithm>
 #include <cmath>
 #include <numeric>
 #include <random>
@@ -19,8 +18,7 @@ struct Row {
   std::vector<double> mixed;
 
   bool complete() const {
-    return std::isfinite(a) && std::isfinite(b) &&
-           std::all_of(mixed.begin(), mixed.end(), [](double value) { return std::isfinite(value); });
+    return std::isfinite(a) && std::isfinite(b) && all_of(mixed, [](double value) { return std::isfinite(value); });
   }
 };
 

@@ -149,8 +149,7 @@ void SceneService::work() {
   for (;;) {
     auto next = clients_.end();
     const auto found = [&] {
-      next = std::find_if(clients_.begin(), clients_.end(),
-                          [](const auto& client) { return !client->waiting.empty() && !client->is_over(); });
+      next = find_if(clients_, [](const auto& client) { return !client->waiting.empty() && !client->is_over(); });
       return next != clients_.end();
     };
     asked_.wait(lock, [&] { return ending_ || found(); });
@@ -230,8 +229,7 @@ bool SceneService::write_next(Client& client, std::ostream& out) {
   while (!client.first_is_ready()) {
     if (client.is_over() || (client.at_end && client.lines.empty())) return false;
     if (client.in_work == 0 && idle_ == 0 && !client.waiting.empty()) {  // all threads are taken by others
-      const auto self =
-          std::find_if(clients_.begin(), clients_.end(), [&](const auto& one) { return one.get() == &client; });
+      const auto self = find_if(clients_, [&](const auto& one) { return one.get() == &client; });
       take(*self, lock);
     } else {
       client.changed.wait_for(lock, at_times);

@@ -19,8 +19,7 @@ namespace rollres {
 namespace {
 
 bool all_numbers(const Json& value) {
-  return value.is_array() && !value.empty() &&
-         std::all_of(value.begin(), value.end(), [](const Json& item) { return item.is_number(); });
+  return value.is_array() && !value.empty() && all_of(value, [](const Json& item) { return item.is_number(); });
 }
 
 void say_units(Json& value);

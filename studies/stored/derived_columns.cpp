@@ -42,7 +42,7 @@ FormulaDefinitions formulas_in(const Database& database, const std::vector<Filte
     return !name.empty() && !find_quantity_column(name) && find_name(others, name) < 0 &&
            (is_goal(name) || find_name(point_columns, name) < 0);
   };
-  if (std::none_of(names.begin(), names.end(), unknown_column)) return {};
+  if (none_of(names, unknown_column)) return {};
   FormulaDefinitions formulas;
   std::map<std::string, std::string> study_of;
   for (const auto& row : run_sql(database, "SELECT name, definition FROM study ORDER BY name").rows) {
@@ -50,16 +50,14 @@ FormulaDefinitions formulas_in(const Database& database, const std::vector<Filte
     const auto is_named = [](const Filter& one) {
       return one.column == "study" && one.comparison == Comparison::equal;
     };
-    const bool any = std::any_of(filters.begin(), filters.end(), is_named);
-    const bool asked = std::any_of(filters.begin(), filters.end(),
-                                   [&](const Filter& one) { return is_named(one) && one.value == study; });
+    const bool any = any_of(filters, is_named);
+    const bool asked = any_of(filters, [&](const Filter& one) { return is_named(one) && one.value == study; });
     if (any && !asked) continue;
     StudyDefinition definition = definition_in(std::get<std::string>(row[1]), database.name() + ": " + study);
     definition.formulas.insert(definition.formulas.end(), definition.goals.begin(), definition.goals.end());
     for (auto& [name, formula] : definition.formulas) {
-      if (std::find(names.begin(), names.end(), name) == names.end()) continue;
-      const auto same =
-          std::find_if(formulas.begin(), formulas.end(), [&](const auto& one) { return one.first == name; });
+      if (!contains(names, name)) continue;
+      const auto same = find_if(formulas, [&](const auto& one) { return one.first == name; });
       if (same == formulas.end())
         formulas.emplace_back(name, formula);
       else if (same->second != formula && !is_goal(name))  // goals are stored: of several, they have no common unit
@@ -125,14 +123,24 @@ void convert_to_si(std::vector<Filter>& filters, const FormulaDefinitions& formu
       if (name == filter.column) convert_to_si(filter, derived_column(name, formula).quantity);
 }
 
-FormulaDefinitions add_derived(const Database& database, Query& query) {
-  std::vector<std::string> names = query.columns;
-  for (const std::string& text : query.sort) names.push_back(column_in(text));
+namespace {
+
+/// Adds those among these names, and those of the filters.
+template <class Question>
+FormulaDefinitions add_named(const Database& database, Question& query, std::vector<std::string> names) {
   add_filters(names, query.filters);
   const FormulaDefinitions formulas = formulas_in(database, query.filters, names);
   convert_to_si(query.filters, formulas);
   query.computed = computed_columns(without_goals(formulas));
   return formulas;
+}
+
+}  // namespace
+
+FormulaDefinitions add_derived(const Database& database, Query& query) {
+  std::vector<std::string> names = query.columns;
+  for (const std::string& text : query.sort) names.push_back(column_in(text));
+  return add_named(database, query, std::move(names));
 }
 
 FormulaDefinitions add_derived(const Database& database, GroupQuery& query) {
@@ -141,11 +149,7 @@ FormulaDefinitions add_derived(const Database& database, GroupQuery& query) {
     names.push_back(aggregate.column);
     names.push_back(aggregate.weight);
   }
-  add_filters(names, query.filters);
-  const FormulaDefinitions formulas = formulas_in(database, query.filters, names);
-  convert_to_si(query.filters, formulas);
-  query.computed = computed_columns(without_goals(formulas));
-  return formulas;
+  return add_named(database, query, std::move(names));
 }
 
 }  // namespace rollres

@@ -95,9 +95,9 @@ Json json_of(const ScatterEstimate& estimate) {
 Json output_json(const ScatterReport& report, const ScatterPlace& place, std::size_t output) {
   const Formula& formula = report.wish.outputs[output];
   const ScatterStatistics found = scatter_statistics(place.values[output], report.wish.probabilities);
-  Json object{{"output", formula.text()},    {"unit", unit_of(formula, report.body())},
-              {"values", found.values},      {"without", found.without},
-              {"mean", json_of(found.mean)}, {"standard_deviation", json_of(found.deviation)}};
+  Json object =
+      json_object("output", formula.text(), "unit", unit_of(formula, report.body()), "values", found.values, "without",
+                  found.without, "mean", json_of(found.mean), "standard_deviation", json_of(found.deviation));
   for (std::size_t i = 0; i < found.quantiles.size(); ++i)
     object[quantile_name(report.wish.probabilities[i])] = json_of(found.quantiles[i]);
   return object;
@@ -141,15 +141,10 @@ void print_text(const ScatterReport& report, std::ostream& out) {
 
 Json json_of(const ScatterReport& report) {
   const UncertainInputs& uncertain = report.study.uncertain;
-  Json object{{"study", report.study.name},
-              {"points", report.results.points()},
-              {"failed", report.results.failed()},
-              {"missing", report.results.missing()},
-              {"method", name_of(uncertain.method)},
-              {"scramblings", uncertain.scramblings},
-              {"seed", uncertain.seed},
-              {"uncertain", in_words(uncertain, report.body())},
-              {"places", Json::array()}};
+  Json object = json_object("study", report.study.name, "points", report.results.points(), "failed",
+                            report.results.failed(), "missing", report.results.missing(), "method",
+                            name_of(uncertain.method), "scramblings", uncertain.scramblings, "seed", uncertain.seed,
+                            "uncertain", in_words(uncertain, report.body()), "places", Json::array());
   for (const ScatterPlace& place : report.results.places) {
     Json& here = object["places"].emplace_back(Json::object());
     for (std::size_t i = 0; i < place.at.size(); ++i) here[report.results.axes[i]] = json_of(place.at[i]);

@@ -96,8 +96,7 @@ struct GroupColumns {
 };
 
 bool differs_by_body(const ShownColumns& columns) {
-  return std::any_of(columns.quantities.begin(), columns.quantities.end(),
-                     [](const QuantityColumn* one) { return one && one->quantity.grows_with_width(); });
+  return any_of(columns.quantities, [](const QuantityColumn* one) { return one && one->quantity.grows_with_width(); });
 }
 
 /// Columns that may be shown by themselves: inputs by the key under which answers have them, too.
@@ -132,7 +131,7 @@ std::vector<std::string> varied_in_layers(const Database& database, Query query,
 
 /// What all rows of a question have as indenter; nothing where they differ.
 Cell common_indenter(const Database& database, const GroupQuery& query) {
-  if (std::find(query.by.begin(), query.by.end(), "indenter") != query.by.end()) return {};  // each group has its own
+  if (contains(query.by, "indenter")) return {};  // each group has its own
   // Where all of a database are of one kind, an index tells, whatever the filters.
   Table found = run_group_query(database, {.by = {"indenter"}});
   if (found.rows.size() != 1)
@@ -235,9 +234,8 @@ std::vector<std::string> varied_columns(const Database& database, const Query& q
 std::vector<std::string> fit_to_width(Table& table, std::size_t width, const std::vector<std::string>& droppable) {
   std::vector<std::string> dropped;
   for (auto key = droppable.rbegin(); key != droppable.rend() && aligned_width(table) > width; ++key) {
-    const auto place = std::find_if(table.columns.begin(), table.columns.end(), [&](const std::string& heading) {
-      return heading == *key || heading.starts_with(*key + " [");
-    });
+    const auto place = find_if(
+        table.columns, [&](const std::string& heading) { return heading == *key || heading.starts_with(*key + " ["); });
     if (place == table.columns.end()) continue;
     const auto column = place - table.columns.begin();
     dropped.insert(dropped.begin(), *key);

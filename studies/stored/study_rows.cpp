@@ -51,7 +51,7 @@ std::vector<const QuantityColumn*> quantity_columns_of(const Database& database,
   std::vector<const QuantityColumn*> columns;
   for (const QuantityColumn& column : quantity_columns()) {
     const std::string_view key = column.quantity.key;
-    if (std::find(lists.by.begin(), lists.by.end(), key) == lists.by.end()) columns.push_back(&column);
+    if (!contains(lists.by, key)) columns.push_back(&column);
     for (std::size_t i = 0; i < layers[key]; ++i)
       for (const InputKind& own : layer_kinds())
         columns.push_back(find_quantity_column(layer_quantity(key, i, own.quantity).key));
@@ -62,14 +62,13 @@ std::vector<const QuantityColumn*> quantity_columns_of(const Database& database,
 StudyRows::StudyRows(ResultStore& store, const std::string& study, const std::vector<Filter>& filters) {
   const FormulaDefinitions formulas = formulas_of(store, study);
   std::vector<Filter> rows = formulas.empty() ? filters : std::vector<Filter>();  // groups know no formula
-  convert_to_si(rows, formulas);
   rows.push_back({"study", Comparison::equal, study});
   columns_ = quantity_columns_of(store.database(), rows);
   const bool named = column_names(store.database().connection(), "result").contains(std::string(variant_key));
   if (named) columns_.push_back(find_quantity_column(variant_key));
   const auto of_variants = columns_.size() - 1;
   for (const auto& [name, formula] : formulas) columns_.push_back(&derived_column(name, formula));
-  read(store, study, filters);
+  read(store, study, filters, formulas);
   if (named && values(*columns_[of_variants]) == std::vector<Cell>{Cell()})  // no point is of a variant
     columns_.erase(columns_.begin() + static_cast<std::ptrdiff_t>(of_variants));
 }
@@ -77,11 +76,11 @@ StudyRows::StudyRows(ResultStore& store, const std::string& study, const std::ve
 StudyRows::StudyRows(const StudyRows& like, ResultStore& store, const std::string& study,
                      const std::vector<Filter>& filters)
     : columns_(like.columns_) {
-  read(store, study, filters);
+  read(store, study, filters, formulas_of(store, study));
 }
 
-void StudyRows::read(ResultStore& store, const std::string& study, const std::vector<Filter>& filters) {
-  const FormulaDefinitions formulas = formulas_of(store, study);
+void StudyRows::read(ResultStore& store, const std::string& study, const std::vector<Filter>& filters,
+                     const FormulaDefinitions& formulas) {
   Query query{.filters = filters, .sort = {"position"}, .computed = computed_columns(formulas)};
   query.filters.push_back({"study", Comparison::equal, study});
   convert_to_si(query.filters, formulas);
@@ -90,8 +89,7 @@ void StudyRows::read(ResultStore& store, const std::string& study, const std::ve
   table_ = run_column_query(store.database(), query);
   for (std::size_t i = 0; i < table_.names.size(); ++i) places_[table_.names[i]] = i;
   if (table_.rows > 0) return;
-  const bool unit_tells = std::any_of(query.filters.begin(), query.filters.end(),
-                                      [](const Filter& filter) { return filter.per_metre.has_value(); });
+  const bool unit_tells = any_of(query.filters, [](const Filter& filter) { return filter.per_metre.has_value(); });
   throw std::invalid_argument(
       store.database().name() + ": " + study + ": " +
       (filters.empty() ? "no point is computed yet" : "no point matches") +
@@ -155,7 +153,7 @@ std::optional<Cell> StudyRows::common(const Column& column) const {
 
 const QuantityColumn& column_of(const std::string& key, const StudyOutline& study, const StudyRows& rows,
                                 const std::string& option) {
-  const bool axis = std::find(study.axes.begin(), study.axes.end(), key) != study.axes.end();
+  const bool axis = contains(study.axes, key);
   if (const QuantityColumn* const column = find_quantity_column(axis ? input_column(key) : key)) return *column;
   refusing_at(option, [&] { require_held(key); });
   std::vector<std::string_view> names = keys_like(key);
@@ -280,7 +278,7 @@ std::string common_inputs(const StudyRows& rows) {
 std::string stored_study_name(ResultStore& store, const std::string& name) {
   const std::string& file = store.database().name();
   const std::vector<std::string> all = store.study_names();
-  if (std::find(all.begin(), all.end(), name) != all.end()) return name;
+  if (contains(all, name)) return name;
   if (all.empty()) {
     const std::size_t fits = stored_fits(store.database()).size();
     throw std::invalid_argument(
@@ -288,9 +286,8 @@ std::string stored_study_name(ResultStore& store, const std::string& name) {
         (fits == 0 ? "" : ", only fits, " + std::to_string(fits) + " (rollres list names them)"));
   }
   if (name.empty() && all.size() == 1) return all.front();
-  const std::vector<std::string_view> names(all.begin(), all.end());
   if (!name.empty())
-    throw std::invalid_argument(file + ": study = " + name + ": " + unknown("unknown study", names, name));
+    throw std::invalid_argument(file + ": study = " + name + ": " + unknown("unknown study", all, name));
   throw std::invalid_argument(file + ": holds several studies, choose one with --study: " + joined(all));
 }
 

@@ -62,7 +62,8 @@ class StudyRows {
   std::optional<Cell> common(const Column& column) const;
 
  private:
-  void read(ResultStore& store, const std::string& study, const std::vector<Filter>& filters);
+  void read(ResultStore& store, const std::string& study, const std::vector<Filter>& filters,
+            const FormulaDefinitions& formulas);
   const CellColumn& cells(const Column& column) const;
 
   ColumnTable table_;

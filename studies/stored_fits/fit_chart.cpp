@@ -24,17 +24,17 @@ struct FitAxis {
   ScaledUnit unit;
 
   FitAxis(ChartAxis wanted, const std::vector<double>& values) : axis(std::move(wanted)) {
-    double smallest = std::numeric_limits<double>::infinity(), largest = 0;
+    Span size{.highest = 0};
     for (const double value : values) {
       if (!std::isfinite(value)) continue;
       axis.logarithmic &= value > 0;
-      smallest = std::min(smallest, std::abs(value));
-      largest = std::max(largest, std::abs(value));
+      size.include(std::abs(value));
     }
     if (axis.unit == "K" && is_temperature(axis.name))
       unit = celsius(), axis.logarithmic = false;
     else
-      unit = axis.logarithmic ? scaled_unit_logarithmic(axis.unit, smallest, largest) : scaled_unit(axis.unit, largest);
+      unit = axis.logarithmic ? scaled_unit_logarithmic(axis.unit, size.lowest, size.highest)
+                              : scaled_unit(axis.unit, size.highest);
     axis.unit = typeset_unit(unit.name);
     axis.margin = 0.03;
   }
@@ -48,6 +48,14 @@ bool outlies(const FitRecord& fit, const FitDataRecord& one) {
   return std::abs(one.residual) > far_off * scatter_of(fit);
 }
 
+/// From the least to the most of what is finite.
+Span finite_span(const std::vector<double>& values) {
+  Span span;
+  for (const double value : values)
+    if (std::isfinite(value)) span.include(value);
+  return span;
+}
+
 /// What residuals are drawn against: a value for each measurement, NaN where it has none.
 struct ResidualAxis {
   ChartAxis axis;
@@ -55,10 +63,8 @@ struct ResidualAxis {
 
   /// Whether there are two different values.
   bool varies() const {
-    double least = std::numeric_limits<double>::infinity(), most = -least;
-    for (const double value : values)
-      if (std::isfinite(value)) least = std::min(least, value), most = std::max(most, value);
-    return most > least;
+    const Span span = finite_span(values);
+    return span.highest > span.lowest;
   }
 };
 
@@ -70,11 +76,9 @@ ResidualAxis place_axis(const FitRecord& fit) {
 }
 
 bool is_wide(const std::vector<double>& values) {
-  double least = std::numeric_limits<double>::infinity(), most = 0;
-  for (const double value : values)
-    if (std::isfinite(value)) least = std::min(least, value), most = std::max(most, value);
+  const Span span = finite_span(values);
   constexpr double wide = 20;
-  return least > 0 && most > wide * least;
+  return span.lowest > 0 && span.highest > wide * span.lowest;
 }
 
 ResidualAxis prediction_axis(const FitRecord& fit) {
@@ -90,7 +94,7 @@ std::vector<std::pair<std::string, ResidualAxis>> input_axes(const FitRecord& fi
   std::vector<std::pair<std::string, ResidualAxis>> axes;
   for (const FitInputRecord& input : fit.inputs) {
     if (input.datum < 1 || input.datum > std::ssize(fit.data)) continue;
-    auto axis = std::find_if(axes.begin(), axes.end(), [&](const auto& known) { return known.first == input.name; });
+    auto axis = find_if(axes, [&](const auto& known) { return known.first == input.name; });
     if (axis == axes.end()) {
       axes.push_back({input.name, {{.name = in_words(input.name), .unit = input.unit}, {}}});
       axis = std::prev(axes.end());
@@ -168,21 +172,21 @@ ChartRequest residuals(const FitRecord& fit, const ResidualAxis& along) {
   for (const std::string& label : labels) request.curves.push_back({label.empty() ? "residuals" : label, {}});
   ChartCurve others{.label = labels.empty() ? "residuals" : "of other values", .points = {}},
       far{.label = off_in_words(), .points = {}};
-  double least = std::numeric_limits<double>::infinity(), most = -least;
+  Span shown;
   for (std::size_t i = 0; i < fit.data.size(); ++i) {
     const double at = x.at(along.values[i]), residual = fit.data[i].residual / scatter_of(fit);
     if (!std::isfinite(at) || !std::isfinite(residual)) continue;
-    least = std::min(least, at), most = std::max(most, at);
+    shown.include(at);
     const std::int64_t curve = fit.data[i].curve;
     add_alone(outlies(fit, fit.data[i]) ? far
               : curve < 0               ? others
                                         : request.curves[static_cast<std::size_t>(curve)],
               {at, residual});
   }
-  if (!(most > least)) least -= 0.5, most += 0.5;
+  if (!(shown.highest > shown.lowest)) shown.lowest -= 0.5, shown.highest += 0.5;
   request.curves.push_back({"0 and ±2 deviations", {}, {}, false});
   for (const double level : {-2.0, 0.0, 2.0})
-    for (const ChartPoint& point : {ChartPoint{least, level}, {most, level}, {nothing, nothing}})
+    for (const ChartPoint& point : {ChartPoint{shown.lowest, level}, {shown.highest, level}, {nothing, nothing}})
       request.curves.back().points.push_back(point);
   for (ChartCurve* const curve : {&others, &far})
     if (!curve->points.empty()) request.curves.push_back(std::move(*curve));
@@ -250,11 +254,11 @@ ChartRequest profile(const FitRecord& fit, const FitParameterRecord& parameter,
       const double errors = 1.2 * std::sqrt(level) * piece / (4 * pieces);
       request.curves[2].points.push_back({x.at(moved(parameter, errors)), errors * errors});
     }
-  double least = std::numeric_limits<double>::infinity(), most = -least;
+  Span shown;
   for (const ChartCurve& curve : request.curves)
     for (const ChartPoint& point : curve.points)
-      if (point.drawn()) least = std::min(least, point.x), most = std::max(most, point.x);
-  request.curves[3].points = {{least, level}, {most, level}};
+      if (point.drawn()) shown.include(point.x);
+  request.curves[3].points = {{shown.lowest, level}, {shown.highest, level}};
   return request;
 }
 
@@ -308,13 +312,12 @@ void add_ellipses(const FitRecord& fit, std::vector<FitChart>& charts) {
   constexpr double slight = 0.5;
   constexpr std::size_t most = 4;
   std::vector<FitCorrelationRecord> pairs = fit.correlations;
-  std::stable_sort(pairs.begin(), pairs.end(), [](const auto& one, const auto& other) {
+  stable_sort(pairs, [](const auto& one, const auto& other) {
     return std::abs(one.correlation) > std::abs(other.correlation);
   });
   if (pairs.size() > most) pairs.resize(most);
   const auto find = [&](const std::string& name) {
-    return std::find_if(fit.parameters.begin(), fit.parameters.end(),
-                        [&](const auto& one) { return one.name == name; });
+    return find_if(fit.parameters, [&](const auto& one) { return one.name == name; });
   };
   bool any = false;
   for (const FitCorrelationRecord& pair : pairs) {

@@ -37,8 +37,8 @@ Quantity quantity_of(const OfParameter& of) {
 
 void drop_empty(Table& table, const std::vector<StoredParameter>& parameters) {
   for (std::size_t i = table.columns.size(); i-- > 0;) {
-    const bool empty = std::all_of(table.rows.begin(), table.rows.end(),
-                                   [&](const auto& row) { return std::holds_alternative<std::monostate>(row[i]); });
+    const bool empty =
+        all_of(table.rows, [&](const auto& row) { return std::holds_alternative<std::monostate>(row[i]); });
     if (!empty || !parameter_of(parameters, table.columns[i]).parameter) continue;
     table.columns.erase(table.columns.begin() + static_cast<std::ptrdiff_t>(i));
     for (auto& row : table.rows) row.erase(row.begin() + static_cast<std::ptrdiff_t>(i));
@@ -51,13 +51,11 @@ std::vector<std::string> droppable_of(const Table& table, const std::vector<Stor
   for (std::size_t i = 0; i < table.columns.size(); ++i) {
     const OfParameter of = parameter_of(parameters, table.columns[i]);
     if (!of.parameter) continue;
-    const auto lacking =
-        static_cast<std::size_t>(std::count_if(table.rows.begin(), table.rows.end(), [&](const auto& row) {
-          return std::holds_alternative<std::monostate>(row[i]);
-        }));
+    const auto lacking = static_cast<std::size_t>(
+        count_if(table.rows, [&](const auto& row) { return std::holds_alternative<std::monostate>(row[i]); }));
     names.emplace_back(lacking + (of.part > 0 ? table.rows.size() : 0), table.columns[i]);
   }
-  std::stable_sort(names.begin(), names.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
+  stable_sort(names, [](const auto& a, const auto& b) { return a.first < b.first; });
   std::vector<std::string> droppable{"values"};
   for (auto& [lacking, name] : names) droppable.push_back(std::move(name));
   return droppable;
@@ -79,7 +77,7 @@ Filter read_fit_filter(const Database& database, const std::string& text) {
       return std::toupper(static_cast<unsigned char>(a)) == std::toupper(static_cast<unsigned char>(b));
     });
   };
-  const auto found = std::find_if(statuses.begin(), statuses.end(), same);
+  const auto found = find_if(statuses, same);
   if (found == statuses.end())
     throw std::invalid_argument("status = " + filter.value + ": must be one of " + joined(statuses));
   filter.value = *found;
@@ -93,8 +91,7 @@ ShownFits shown_fits(const Database& database, Query query, ShownUnits units) {
   if (chosen) {
     query.columns = {"name", "status", "values", "reduced_chi_squared"};
     const auto add = [&](const std::string& name) {
-      if (std::find(query.columns.begin(), query.columns.end(), name) == query.columns.end())
-        query.columns.push_back(name);
+      if (!contains(query.columns, name)) query.columns.push_back(name);
     };
     for (const Filter& filter : query.filters)
       if (filter.comparison != Comparison::equal) add(filter.column);

@@ -29,7 +29,7 @@ ChartRequest shifts_chart(const MaterialFit& found, const std::string& name) {
   for (std::size_t i = 0; i < table.temperatures.size(); ++i)
     request.curves.front().points.push_back(
         {in_celsius(table.temperatures[i]), std::log10(shift_factor(found.shift, table.temperatures[i]))});
-  const auto [lowest, highest] = std::minmax_element(table.temperatures.begin(), table.temperatures.end());
+  const auto [lowest, highest] = minmax_element(table.temperatures);
   for (const LawThrough& law : laws_through(found.shift)) {
     ChartCurve& curve = request.curves.emplace_back(ChartCurve{law.name, {}});
     curve.marks = false;

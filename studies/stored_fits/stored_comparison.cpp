@@ -25,8 +25,7 @@ bool is_estimated(const FitParameterRecord& one) { return !one.fixed || std::isf
 
 /// Terms of the noise stand among the parameters, fixed and with an error.
 bool has_fitted_noise(const FitRecord& fit) {
-  return std::any_of(fit.parameters.begin(), fit.parameters.end(),
-                     [](const auto& one) { return one.fixed && is_estimated(one); });
+  return any_of(fit.parameters, [](const auto& one) { return one.fixed && is_estimated(one); });
 }
 
 bool same_data(const FitRecord& a, const FitRecord& b) {
@@ -42,7 +41,7 @@ bool same_data(const FitRecord& a, const FitRecord& b) {
 
 /// By the chi squared alone, unless the noise is fitted.
 InformationCriteria criteria_of(const FitRecord& fit) {
-  const auto parameters = std::count_if(fit.parameters.begin(), fit.parameters.end(), is_estimated);
+  const auto parameters = count_if(fit.parameters, is_estimated);
   const bool noise = has_fitted_noise(fit);
   double log_variances = 0;
   for (const FitDataRecord& one : fit.data)
@@ -69,42 +68,31 @@ std::string digits_of(double value, int digits = 5) { return std::isfinite(value
 
 Json side(const FitRecord& fit) {
   const InformationCriteria criteria = criteria_of(fit);
-  return {{"fit", fit.name},
-          {"kind", fit.kind},
-          {"status", fit.status},
-          {"values", fit.data.size()},
-          {"degrees", fit.degrees},
-          {"chi_squared", finite_or_null(fit.chi_squared)},
-          {"reduced_chi_squared", finite_or_null(fit.reduced_chi_squared)},
-          {"p_value", finite_or_null(fit.p_value)},
-          {"aicc", finite_or_null(criteria.aicc)},
-          {"bic", finite_or_null(criteria.bic)}};
+  return json_object("fit", fit.name, "kind", fit.kind, "status", fit.status, "values", fit.data.size(), "degrees",
+                     fit.degrees, "chi_squared", fit.chi_squared, "reduced_chi_squared", fit.reduced_chi_squared,
+                     "p_value", fit.p_value, "aicc", criteria.aicc, "bic", criteria.bic);
 }
 
 Json parameter_json(const FitParameterRecord& one) {
   const auto [lowest, highest] = interval_of(one);
-  return {{"value", finite_or_null(one.value)},
-          {"standard_error", finite_or_null(one.standard_error)},
-          {"interval", {finite_or_null(lowest), finite_or_null(highest)}}};
+  return json_object("value", one.value, "standard_error", one.standard_error, "interval",
+                     Json::array({finite_or_null(lowest), finite_or_null(highest)}));
 }
 
 }  // namespace
 
 bool StoredComparison::agree() const {
-  return !parameters.empty() &&
-         std::all_of(parameters.begin(), parameters.end(), [](const auto& one) { return one.agree(); });
+  return !parameters.empty() && all_of(parameters, [](const auto& one) { return one.agree(); });
 }
 
 bool StoredComparison::within(double relative) const {
-  return !parameters.empty() &&
-         std::all_of(parameters.begin(), parameters.end(), [&](const auto& one) { return one.relative <= relative; });
+  return !parameters.empty() && all_of(parameters, [&](const auto& one) { return one.relative <= relative; });
 }
 
 StoredComparison compare_fits(const FitRecord& first, const FitRecord& second) {
   StoredComparison answer{first, second, {}, {}, {}, same_data(first, second)};
   const auto find = [](const FitRecord& fit, const std::string& name) {
-    return std::find_if(fit.parameters.begin(), fit.parameters.end(),
-                        [&](const auto& one) { return is_estimated(one) && one.name == name; });
+    return find_if(fit.parameters, [&](const auto& one) { return is_estimated(one) && one.name == name; });
   };
   for (const FitParameterRecord& one : first.parameters) {
     if (!is_estimated(one)) continue;
@@ -126,7 +114,7 @@ std::string stored_comparison_summary(const StoredComparison& comparison) {
   Table fits{{"fit", "status", "values", "parameters", "chi squared", "reduced", "p", "AICc", "BIC"}, {}};
   for (const FitRecord* const fit : {&a, &b}) {
     const InformationCriteria criteria = criteria_of(*fit);
-    const auto parameters = std::count_if(fit->parameters.begin(), fit->parameters.end(), is_estimated);
+    const auto parameters = count_if(fit->parameters, is_estimated);
     fits.rows.push_back({fit->name, fit->status, static_cast<std::int64_t>(fit->data.size()),
                          static_cast<std::int64_t>(parameters), digits_of(fit->chi_squared),
                          digits_of(fit->reduced_chi_squared), digits_of(fit->p_value, 3), digits_of(criteria.aicc),
@@ -155,18 +143,14 @@ std::string stored_comparison_summary(const StoredComparison& comparison) {
 }
 
 Json json_of(const StoredComparison& comparison) {
-  Json object{{"first", side(comparison.first)},      {"second", side(comparison.second)},
-              {"same_data", comparison.same_data},    {"agree", comparison.agree()},
-              {"parameters", Json::array()},          {"only_first", comparison.only_first},
-              {"only_second", comparison.only_second}};
+  Json object = json_object("first", side(comparison.first), "second", side(comparison.second), "same_data",
+                            comparison.same_data, "agree", comparison.agree(), "parameters", Json::array(),
+                            "only_first", comparison.only_first, "only_second", comparison.only_second);
   for (const ComparedParameter& one : comparison.parameters)
-    object["parameters"].push_back({{"name", one.first.name},
-                                    {"unit", one.first.unit},
-                                    {"first", parameter_json(one.first)},
-                                    {"second", parameter_json(one.second)},
-                                    {"relative_difference", finite_or_null(one.relative)},
-                                    {"deviations", finite_or_null(one.deviations)},
-                                    {"agree", std::isnan(one.deviations) ? Json(nullptr) : Json(one.agree())}});
+    object["parameters"].push_back(
+        json_object("name", one.first.name, "unit", one.first.unit, "first", parameter_json(one.first), "second",
+                    parameter_json(one.second), "relative_difference", one.relative, "deviations", one.deviations,
+                    "agree", std::isnan(one.deviations) ? Json(nullptr) : Json(one.agree())));
   return object;
 }
 

@@ -84,20 +84,12 @@ Json interval_json(double lowest, double highest, const std::string& low, const 
 }
 
 Json fitted_json(const FitParameterRecord& p, const FitRecord& fit) {
-  Json object{{"name", p.name},
-              {"unit", p.unit},
-              {"value", number(p.value)},
-              {"standard_error", number(p.standard_error)},
-              {"relative_error", number(p.relative_error)},
-              {"linear_interval", interval_json(p.linear_lowest, p.linear_highest, p.linear_low, p.linear_high)},
-              {"profile_interval", nullptr},
-              {"start", number(p.start)},
-              {"lowest", finite_or_null(p.lowest)},
-              {"highest", finite_or_null(p.highest)},
-              {"scale", p.scale.empty() ? Json(nullptr) : Json(p.scale)},
-              {"step", number(p.step)},
-              {"slope_doubt", number(p.slope_doubt)},
-              {"flag", p.flag}};
+  Json object = json_object("name", p.name, "unit", p.unit, "value", number(p.value), "standard_error",
+                            number(p.standard_error), "relative_error", number(p.relative_error), "linear_interval",
+                            interval_json(p.linear_lowest, p.linear_highest, p.linear_low, p.linear_high),
+                            "profile_interval", nullptr, "start", number(p.start), "lowest", p.lowest, "highest",
+                            p.highest, "scale", p.scale.empty() ? Json(nullptr) : Json(p.scale), "step", number(p.step),
+                            "slope_doubt", number(p.slope_doubt), "flag", p.flag);
   if (p.profile_low.empty()) return object;
   object["profile_interval"] = interval_json(p.profile_lowest, p.profile_highest, p.profile_low, p.profile_high);
   object["profile"] = Json::array();
@@ -188,7 +180,7 @@ double scatter_of(const FitRecord& fit) {
 }
 
 std::vector<std::pair<std::string, std::string>> fit_statistics(const FitRecord& fit) {
-  const bool noise = std::any_of(fit.parameters.begin(), fit.parameters.end(), [](const auto& p) { return p.noise; });
+  const bool noise = any_of(fit.parameters, [](const auto& p) { return p.noise; });
   std::vector<std::pair<std::string, std::string>> lines{
       {"kind", fit.kind},
       {"data", std::to_string(fit.data.size()) + " values, " + std::to_string(fit.degrees) +
@@ -200,9 +192,8 @@ std::vector<std::pair<std::string, std::string>> fit_statistics(const FitRecord&
                           (std::isnan(fit.p_value) ? "" : ", p = " + four_digits(fit.p_value))},
       {"rms", (fit.output_unit.empty() ? "" : readable(fit.rms, fit.output_unit) + ", ") + "relative " +
                   percent(fit.relative_rms)}};
-  const auto worst = std::max_element(fit.data.begin(), fit.data.end(), [](const auto& a, const auto& b) {
-    return std::abs(a.residual) < std::abs(b.residual);
-  });
+  const auto worst =
+      max_element(fit.data, [](const auto& a, const auto& b) { return std::abs(a.residual) < std::abs(b.residual); });
   if (worst != fit.data.end())
     lines.emplace_back("largest residual",
                        short_number(worst->residual / scatter_of(fit), 3) +
@@ -248,20 +239,14 @@ Json json_of(const FitRecord& fit) {
   for (const char* const told_otherwise : {"name", "definition", "deviations_known", "output_unit", "x_name", "x_unit",
                                            "x_logarithmic", "y_name", "y_unit", "y_logarithmic"})
     object.erase(told_otherwise);
-  object.update({{"fit", fit.name},
-                 {"warnings", lines_of(fit.warnings)},
-                 {"model", lines_of(fit.model)},
-                 {"values", fit.data.size()},
-                 {"deviations", fit.deviations_known ? "absolute" : "scaled by the reduced chi squared"},
-                 {"interrupted", fit.interrupted},
-                 {"failed", fit.failures},
-                 {"failures", json_of(record_table(fit.failure_reasons))},
-                 {"scene", fit.scene.empty() ? Json(nullptr) : Json::parse(fit.scene)},
-                 {"correlations", json_of(record_table(fit.correlations))},
-                 {"data", data_json(fit)},
-                 {"x", axis_json(fit.x_name, fit.x_unit, fit.x_logarithmic)},
-                 {"y", axis_json(fit.y_name, fit.y_unit, fit.y_logarithmic)},
-                 {"curves", json_of(record_table(fit.curves))}});
+  object.update(json_object(
+      "fit", fit.name, "warnings", lines_of(fit.warnings), "model", lines_of(fit.model), "values", fit.data.size(),
+      "deviations", fit.deviations_known ? "absolute" : "scaled by the reduced chi squared", "interrupted",
+      fit.interrupted, "failed", fit.failures, "failures", json_of(record_table(fit.failure_reasons)), "scene",
+      fit.scene.empty() ? Json(nullptr) : Json::parse(fit.scene), "correlations",
+      json_of(record_table(fit.correlations)), "data", data_json(fit), "x",
+      axis_json(fit.x_name, fit.x_unit, fit.x_logarithmic), "y", axis_json(fit.y_name, fit.y_unit, fit.y_logarithmic),
+      "curves", json_of(record_table(fit.curves))));
   add_parameters(object, fit);
   return object;
 }
@@ -270,8 +255,21 @@ Table fit_table(const std::vector<FitSummary>& fits) {
   Table table{{"fit", "kind", "status", "parameters", "values", "chi squared", "created (UTC)"}, {}};
   for (const FitSummary& fit : fits)
     table.rows.push_back({fit.name, fit.kind, fit.status, few(fit.parameters), fit.values, cell_of(fit.chi_squared),
-                          fit.created.substr(0, 10) + " " + fit.created.substr(11, 8)});
+                          to_the_second(fit.created)});
   return table;
+}
+
+std::optional<FitRecord> meant_fit(ResultStore& store, std::string name, FitParts parts) {
+  if (const auto fits = stored_fits(store.database()); name.empty() && fits.size() == 1 && store.study_names().empty())
+    name = fits.front().name;
+  if (name.empty() || store.definition(name)) return std::nullopt;
+  return find_fit(store.database(), name, parts);
+}
+
+void refuse_fit(const Database& database, const std::string& name, const std::string& asked) {
+  std::vector<std::string> known;
+  for (const FitSummary& fit : stored_fits(database)) known.push_back(fit.name);
+  throw std::invalid_argument(unknown(asked + name + ": no such fit", known, name));
 }
 
 std::vector<std::string> export_fit(const FitRecord& fit, const std::filesystem::path& folder) {

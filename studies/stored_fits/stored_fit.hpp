@@ -4,12 +4,14 @@
 /// nlohmann_json.
 
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include "db/queries/table.hpp"
 #include "db/rows/fit_store.hpp"
+#include "db/rows/result_store.hpp"
 #include "studies/text/strict_json.hpp"
 
 namespace rollres {
@@ -34,6 +36,13 @@ Json json_of(const FitRecord& fit);
 
 /// Fits as rows of a table: name, kind, status, parameters, measured values, chi squared, time.
 Table fit_table(const std::vector<FitSummary>& fits);
+
+/// The fit that a name means: one that no study bears, or without a name the only one of a database without studies.
+std::optional<FitRecord> meant_fit(ResultStore& store, std::string name, FitParts parts);
+
+/// @param asked  stands before the name: "fits.db: --fit = "
+/// @throws std::invalid_argument that the database has no fit of this name, with the nearest one
+[[noreturn]] void refuse_fit(const Database& database, const std::string& name, const std::string& asked);
 
 /// Writes fit.json (the fit file), parameters.csv, data.csv, profiles.csv, curves.csv, report.json and, where it is
 /// known, scene.json (what was fitted, with all digits) into a folder. @return the names of the files

@@ -1,7 +1,5 @@
 #include "studies/study/study.hpp"
 
-#include <algorithm>
-
 #include "core/model/absent_outputs.hpp"
 #include "db/rows/schema.hpp"
 #include "studies/scene_io/scene_overrides.hpp"
@@ -77,8 +75,7 @@ std::vector<Body> bodies_of(const Study& study) {
 void refuse_never_computed(const Study& study, const std::string& place) {
   const std::vector<std::string_view> numbers = number_outputs();
   const auto refuse_at = [&](const std::string& where, const std::string& name) {
-    const auto formula =
-        std::find_if(study.formulas.begin(), study.formulas.end(), [&](const auto& one) { return one.first == name; });
+    const auto formula = find_if(study.formulas, [&](const auto& one) { return one.first == name; });
     if (formula == study.formulas.end() && find_name(numbers, name) < 0) return;
     const Formula asked(formula == study.formulas.end() ? name : formula->second, FormulaNames::inputs_and_outputs);
     refusing_at(place + ": " + where, [&] { refuse_never_computed(asked, study); });
@@ -101,7 +98,7 @@ void refuse_never_computed(const Formula& formula, const Study& study) {
       scene.interior = Interior::on;
       return absent && why_absent(scene, key).empty();
     };
-    if (std::all_of(scenes.begin(), scenes.end(), by_interior)) refuse_absent(formula, study.base);
+    if (all_of(scenes, by_interior)) refuse_absent(formula, study.base);
   }
 }
 

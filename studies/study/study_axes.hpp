@@ -61,7 +61,7 @@ void for_each_combination(const std::vector<AnyAxis>& axes, SizeOf&& size_of, Vi
   const auto groups = groups_of(axes);
   std::vector<std::size_t> sizes, at(axes.size(), 0);
   for (const auto& group : groups) sizes.push_back(size_of(group));
-  if (std::find(sizes.begin(), sizes.end(), 0U) != sizes.end()) return;
+  if (contains(sizes, 0U)) return;
   while (true) {
     visit(at);
     std::size_t group = groups.size();

@@ -1,6 +1,5 @@
 #include "studies/study/study_definition.hpp"
 
-#include <algorithm>
 #include <stdexcept>
 
 #include "studies/scene_io/scene_inputs.hpp"
@@ -65,8 +64,7 @@ void add_goal(StudyDefinition& definition, const std::string& name, const Json& 
 }  // namespace
 
 bool StudyDefinition::are_together(const std::string& one, const std::string& other) const {
-  return std::any_of(together.begin(), together.end(),
-                     [&](const auto& group) { return group.contains(one) && group.contains(other); });
+  return any_of(together, [&](const auto& group) { return group.contains(one) && group.contains(other); });
 }
 
 std::vector<std::string> StudyDefinition::chart_names() const {

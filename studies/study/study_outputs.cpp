@@ -28,7 +28,7 @@ void refuse_taken_name(const std::string& name, const Json& formula, const Formu
   const bool is_name = !name.empty() && name.find_first_not_of(letters) == std::string::npos &&
                        std::isdigit(static_cast<unsigned char>(name.front())) == 0;
   if (!is_name) refuse(place, name, formula, "a name is of letters, digits and _, and begins with none of the digits");
-  const bool given = std::any_of(earlier.begin(), earlier.end(), [&](const auto& one) { return one.first == name; });
+  const bool given = any_of(earlier, [&](const auto& one) { return one.first == name; });
   if (given) refuse(place, name, formula, "given twice");
   if (find_quantity_column(name) || (find_input(name) && held_key(name) == name) || find_name(columns, name) >= 0 ||
       find_name(point_columns, name) >= 0)
@@ -68,8 +68,7 @@ std::string stands_at(const std::vector<SceneEntry>& inputs, Body body) {
 /// A column beside a zip as a formula.
 std::string formula_of_column(const std::string& name, const Json& numbers, const Json& inputs, Body body,
                               const std::string& place) {
-  if (!numbers.is_array() || numbers.empty() ||
-      !std::all_of(numbers.begin(), numbers.end(), [](const Json& one) { return one.is_number(); }))
+  if (!numbers.is_array() || numbers.empty() || !all_of(numbers, [](const Json& one) { return one.is_number(); }))
     refuse(place, name, numbers, "must be a list of numbers");
   std::vector<std::string> places;
   for (std::size_t i = 0; i < numbers.size(); ++i) {

@@ -1,6 +1,5 @@
 #include "studies/study/study_scene.hpp"
 
-#include <algorithm>
 #include <optional>
 #include <utility>
 
@@ -40,7 +39,7 @@ std::vector<SceneEntry> set_entries(const Json& object, const std::string& place
 RollingScene base_scene(const std::vector<SceneEntry>& entries, const std::vector<GivenAxis>& axes,
                         const std::string& place) {
   const auto size_of = [&](const std::vector<std::size_t>& group) {
-    const bool chosen = std::any_of(group.begin(), group.end(), [&](std::size_t axis) { return axes[axis].choice(); });
+    const bool chosen = any_of(group, [&](std::size_t axis) { return axes[axis].choice(); });
     return chosen ? axes[group.front()].size() : 1;
   };
   std::optional<RollingScene> first;

@@ -29,7 +29,7 @@ std::optional<double> share_of(const Json& given) {
 }
 
 bool all_shares(const std::vector<Json>& numbers) {
-  return std::all_of(numbers.begin(), numbers.end(), [](const Json& one) { return share_of(one).has_value(); });
+  return all_of(numbers, [](const Json& one) { return share_of(one).has_value(); });
 }
 
 /// What is read where.
@@ -134,7 +134,7 @@ UncertainInput uncertain_input(const std::string& key, const Json& object, const
   const std::string name(name_of(input->distribution.kind));
   if (const std::string broken = broken_rule(input->distribution); !broken.empty())
     refuse(place_text, name, given, broken);
-  const bool of_a_variable = std::find(varied.begin(), varied.end(), held_key(key)) != varied.end();
+  const bool of_a_variable = contains(varied, held_key(key));
   if (of_a_variable && !input->relative)
     refuse(place_text, name, given, "is a variable: it scatters about its value, by shares as in \"10 %\"");
   if (input->relative && !of_a_variable) input->about = value_about(place, scene, given);
@@ -202,8 +202,7 @@ std::vector<Condition> probabilities_of(const Json& object, Body body, const std
 }
 
 bool is_option(const std::string& key) {
-  return std::any_of(uncertain_keys.begin(), uncertain_keys.end(),
-                     [&](const FileKey& known) { return known.key == key; });
+  return any_of(uncertain_keys, [&](const FileKey& known) { return known.key == key; });
 }
 
 /// Whether a parameter is an offset or a scale: no input of a scene, but of how values were measured. Of several normal

@@ -1,6 +1,5 @@
 #include "studies/text/file_kind.hpp"
 
-#include <algorithm>
 #include <array>
 #include <initializer_list>
 
@@ -17,7 +16,7 @@ constexpr std::array<KindWords, 4> words{{{"a scene", "rollres solve and gradien
                                           {"a fit", "rollres fit takes it"}}};
 
 bool has_one_of(const Json& object, std::initializer_list<const char*> keys) {
-  return std::any_of(keys.begin(), keys.end(), [&](const char* key) { return object.contains(key); });
+  return any_of(keys, [&](const char* key) { return object.contains(key); });
 }
 
 }  // namespace

@@ -6,6 +6,7 @@
 
 #include <cerrno>
 #include <fstream>
+#include <iterator>
 #include <optional>
 #include <stdexcept>
 #include <system_error>
@@ -67,6 +68,13 @@ std::string written(const std::filesystem::path& file, int flags, std::string_vi
 }
 
 }  // namespace
+
+std::string content_of(const std::filesystem::path& file) {
+  std::ifstream stream(file, std::ios::binary);
+  std::string text{std::istreambuf_iterator<char>(stream), {}};
+  if (!stream && !stream.eof()) throw std::runtime_error(file.string() + ": cannot be read");
+  return text;
+}
 
 std::string whole_file(const std::filesystem::path& file, std::size_t largest) {
   require_name(file);

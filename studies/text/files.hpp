@@ -14,6 +14,9 @@ namespace rollres {
 /// @throws std::runtime_error "path: cannot be read: why"
 std::string whole_file(const std::filesystem::path& file, std::size_t largest);
 
+/// The bytes of a file of our own. @throws std::runtime_error "path: cannot be read"
+std::string content_of(const std::filesystem::path& file);
+
 /// Writes a whole file: to a temporary name beside it, then renamed, so that nobody ever sees half of it. A link stays,
 /// and the file it leads to is replaced; a device or a pipe is written to.
 /// @throws std::runtime_error with the path and the system's words; the old file is then still there

@@ -1,6 +1,5 @@
 #include "studies/text/measured_table.hpp"
 
-#include <algorithm>
 #include <stdexcept>
 
 #include "studies/text/readable_number.hpp"
@@ -20,7 +19,7 @@ std::string temperatures_of(const MeasuredTable& table) {
   const MeasuredColumn* const column = table.find("temperature");
   if (!column || column->unit.empty()) return "";
   const std::vector<double> all = measured_numbers(table, *column, "K", {});
-  const auto [coldest, warmest] = std::minmax_element(all.begin(), all.end());
+  const auto [coldest, warmest] = minmax_element(all);
   const std::string from = short_number(celsius().number(*coldest), 4);
   return "; at " + from + (*coldest < *warmest ? " to " + short_number(celsius().number(*warmest), 4) : "") + " degC";
 }
@@ -39,8 +38,7 @@ std::string MeasuredTable::in_words() const {
 }
 
 const MeasuredColumn* MeasuredTable::find(std::string_view name) const {
-  const auto found =
-      std::find_if(columns.begin(), columns.end(), [&](const MeasuredColumn& column) { return column.name == name; });
+  const auto found = find_if(columns, [&](const MeasuredColumn& column) { return column.name == name; });
   return found == columns.end() ? nullptr : &*found;
 }
 

@@ -26,6 +26,10 @@ std::string short_number(double value, int digits) {
   return {text.data(), written.ptr};
 }
 
+std::string to_the_second(const std::string& time) {
+  return time.size() < 19 ? time : time.substr(0, 10) + " " + time.substr(11, 8);
+}
+
 std::string percent(double part, int digits) {
   return std::isfinite(part) ? short_number(100 * part, digits) + " %" : "-";
 }
@@ -96,14 +100,13 @@ int first_power(std::string_view unit) {
 }
 
 const Prefixed* prefixed_unit(std::string_view unit) {
-  const auto* const found = std::find_if(prefixed.begin(), prefixed.end(),
-                                         [&](const Prefixed& known) { return known.symbol == first_symbol(unit); });
+  const auto* const found =
+      find_if(prefixed, [&](const Prefixed& known) { return known.symbol == first_symbol(unit); });
   return found == prefixed.end() ? nullptr : found;
 }
 
 ScaledUnit with_prefix(std::string_view unit, int thousands) {
-  const auto* const prefix =
-      std::find_if(prefixes.begin(), prefixes.end(), [&](const Prefix& known) { return known.thousands == thousands; });
+  const auto* const prefix = find_if(prefixes, [&](const Prefix& known) { return known.thousands == thousands; });
   return {std::string(prefix->name) + std::string(unit), std::pow(1000.0, thousands * first_power(unit))};
 }
 
@@ -121,12 +124,10 @@ ScaledUnit scaled_unit(std::string_view unit, double size) {
 }
 
 ScaledUnit scaled_unit_logarithmic(std::string_view unit, double smallest, double largest) {
-  if (!(smallest > 0) || !std::isfinite(largest)) return scaled_unit(unit, largest);
-  if (unit == "1" || unit.empty()) return {};
-  if (unit == "rad") return degrees();
   const Prefixed* const known = prefixed_unit(unit);
+  if (!known || !(smallest > 0) || !std::isfinite(largest)) return scaled_unit(unit, largest);
   constexpr double rounding = 1 + 1e-6, most = 1e4;
-  if (!known || (largest * rounding >= 1 && largest <= most * rounding)) return {std::string(unit), 1.0};
+  if ((largest * rounding >= 1 && largest <= most * rounding)) return {std::string(unit), 1.0};
   if (largest < 1) return scaled_unit(unit, largest * rounding);
   const double centre = 0.5 * (std::log10(smallest) + std::log10(largest)) / (3.0 * first_power(unit));
   return with_prefix(unit, std::clamp(static_cast<int>(std::lround(centre)), known->lowest, known->highest));

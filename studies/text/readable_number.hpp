@@ -26,6 +26,9 @@ double to_digits(double value, int digits = shown_digits);
 /// A number rounded to `digits` significant digits, without trailing zeros and, at everyday sizes, without an exponent.
 std::string short_number(double value, int digits = 6);
 
+/// "2013-05-01T12:00:00.000Z" to the second, as it is read; another text as it is.
+std::string to_the_second(const std::string& time);
+
 /// 100 times the number, with its sign: "12.3 %"; "-" if it is not finite.
 std::string percent(double part, int digits = 3);
 

@@ -1,6 +1,5 @@
 #include "studies/text/table_heading.hpp"
 
-#include <algorithm>
 #include <array>
 #include <cctype>
 #include <stdexcept>
@@ -13,122 +12,40 @@ namespace rollres {
 
 namespace {
 
-/// Names that have letters of both cases, and what instruments call others, in small letters.
-constexpr std::array<std::pair<std::string_view, std::string_view>, 82> usual_headings{
-    {{"a_t", "a_T"},
-     {"at", "a_T"},
-     {"b_t", "b_T"},
-     {"bt", "b_T"},
-     {"log10_a_t", "log10_a_T"},
-     {"log_a_t", "log10_a_T"},
-     {"log_at", "log10_a_T"},
-     {"log(at)", "log10_a_T"},
-     {"log(a_t)", "log10_a_T"},
-     {"log10(at)", "log10_a_T"},
-     {"log10(a_t)", "log10_a_T"},
-     {"freq", "frequency"},
-     {"f", "frequency"},
-     {"freq.", "frequency"},
-     {"angular_freq", "angular_frequency"},
-     {"angular_freq.", "angular_frequency"},
-     {"ang._freq.", "angular_frequency"},
-     {"ang._frequency", "angular_frequency"},
-     {"temp.", "temperature"},
-     {"omega", "angular_frequency"},
-     {"ω", "angular_frequency"},
-     {"temp", "temperature"},
-     {"tan(delta)", "tan_delta"},
-     {"tan_(delta)", "tan_delta"},
-     {"tan(δ)", "tan_delta"},
-     {"tan_δ", "tan_delta"},
-     {"tanδ", "tan_delta"},
-     {"tandelta", "tan_delta"},
-     {"loss_factor", "loss_tangent"},
-     {"tan_d", "tan_delta"},
-     {"g(t)", "relaxation_shear_modulus"},
-     {"shear_relaxation_modulus", "relaxation_shear_modulus"},
-     {"e(t)", "relaxation_young_modulus"},
-     {"tensile_relaxation_modulus", "relaxation_young_modulus"},
-     {"young_relaxation_modulus", "relaxation_young_modulus"},
-     {"j(t)", "shear_creep_compliance"},
-     {"creep_shear_compliance", "shear_creep_compliance"},
-     {"d(t)", "tensile_creep_compliance"},
-     {"creep_tensile_compliance", "tensile_creep_compliance"},
-     {"|g*|", "complex_shear_modulus"},
-     {"g*", "complex_shear_modulus"},
-     {"|e*|", "complex_young_modulus"},
-     {"e*", "complex_young_modulus"},
-     {"phase", "phase_angle"},
-     {"loss_angle", "phase_angle"},
-     {"delta", "phase_angle"},
-     {"δ", "phase_angle"},
-     {"oscillation_frequency", "frequency"},
-     {"ang._freq", "angular_frequency"},
-     {"frequenz", "frequency"},
-     {"messfrequenz", "frequency"},
-     {"prüffrequenz", "frequency"},
-     {"kreisfrequenz", "angular_frequency"},
-     {"temperatur", "temperature"},
-     {"probentemperatur", "temperature"},
-     {"zeit", "time"},
-     {"speichermodul", "storage_modulus"},
-     {"verlustmodul", "loss_modulus"},
-     {"komplexer_modul", "complex_modulus"},
-     {"verlustfaktor", "loss_tangent"},
-     {"phasenwinkel", "phase_angle"},
-     {"phasenverschiebung", "phase_angle"},
-     {"verlustwinkel", "phase_angle"},
-     {"relaxationsmodul", "relaxation_modulus"},
-     {"kriechnachgiebigkeit", "creep_compliance"},
-     {"dehnung", "strain"},
-     {"bemerkung", "note"},
-     {"fréquence", "frequency"},
-     {"frequence", "frequency"},
-     {"pulsation", "angular_frequency"},
-     {"température", "temperature"},
-     {"temps", "time"},
-     {"module_de_conservation", "storage_modulus"},
-     {"module_de_stockage", "storage_modulus"},
-     {"module_de_perte", "loss_modulus"},
-     {"module_complexe", "complex_modulus"},
-     {"facteur_de_perte", "loss_tangent"},
-     {"angle_de_phase", "phase_angle"},
-     {"angle_de_perte", "phase_angle"},
-     {"déphasage", "phase_angle"},
-     {"module_de_relaxation", "relaxation_modulus"},
-     {"complaisance_de_fluage", "creep_compliance"}}};
+/// Names, each with what instruments call it, and what those of letters of both cases are in small letters.
+constexpr std::pair<std::string_view, std::string_view> usual_headings[] = {
+    {"a_T", "a_t at"},
+    {"b_T", "b_t bt"},
+    {"log10_a_T", "log10_a_t log_a_t log_at log(at) log(a_t) log10(at) log10(a_t)"},
+    {"frequency", "freq f freq. oscillation_frequency frequenz messfrequenz prüffrequenz fréquence frequence"},
+    {"angular_frequency",
+     "angular_freq angular_freq. ang._freq. ang._frequency omega ω ang._freq kreisfrequenz pulsation"},
+    {"temperature", "temp. temp temperatur probentemperatur température"},
+    {"tan_delta", "tan(delta) tan_(delta) tan(δ) tan_δ tanδ tandelta tan_d"},
+    {"loss_tangent", "loss_factor verlustfaktor facteur_de_perte"},
+    {"relaxation_shear_modulus", "g(t) shear_relaxation_modulus"},
+    {"relaxation_young_modulus", "e(t) tensile_relaxation_modulus young_relaxation_modulus"},
+    {"shear_creep_compliance", "j(t) creep_shear_compliance"},
+    {"tensile_creep_compliance", "d(t) creep_tensile_compliance"},
+    {"complex_shear_modulus", "|g*| g*"},
+    {"complex_young_modulus", "|e*| e*"},
+    {"phase_angle",
+     "phase loss_angle delta δ phasenwinkel phasenverschiebung verlustwinkel angle_de_phase angle_de_perte déphasage"},
+    {"time", "zeit temps"},
+    {"storage_modulus", "speichermodul module_de_conservation module_de_stockage"},
+    {"loss_modulus", "verlustmodul module_de_perte"},
+    {"complex_modulus", "komplexer_modul module_complexe"},
+    {"relaxation_modulus", "relaxationsmodul module_de_relaxation"},
+    {"creep_compliance", "kriechnachgiebigkeit complaisance_de_fluage"},
+    {"strain", "dehnung"},
+    {"note", "bemerkung"},
+};
 
-constexpr std::array<std::string_view, 31> measured_names{"frequency",
-                                                          "angular_frequency",
-                                                          "temperature",
-                                                          "time",
-                                                          "strain",
-                                                          "storage_modulus",
-                                                          "storage_shear_modulus",
-                                                          "storage_young_modulus",
-                                                          "loss_modulus",
-                                                          "loss_shear_modulus",
-                                                          "loss_young_modulus",
-                                                          "complex_modulus",
-                                                          "complex_shear_modulus",
-                                                          "complex_young_modulus",
-                                                          "phase_angle",
-                                                          "loss_tangent",
-                                                          "tan_delta",
-                                                          "E'",
-                                                          "E''",
-                                                          "G'",
-                                                          "G''",
-                                                          "relaxation_modulus",
-                                                          "relaxation_shear_modulus",
-                                                          "relaxation_young_modulus",
-                                                          "creep_compliance",
-                                                          "shear_creep_compliance",
-                                                          "tensile_creep_compliance",
-                                                          "a_T",
-                                                          "b_T",
-                                                          "log10_a_T",
-                                                          "note"};
+constexpr std::string_view measured_names =
+    "frequency angular_frequency temperature time strain storage_modulus storage_shear_modulus storage_young_modulus "
+    "loss_modulus loss_shear_modulus loss_young_modulus complex_modulus complex_shear_modulus complex_young_modulus "
+    "phase_angle loss_tangent tan_delta E' E'' G' G'' relaxation_modulus relaxation_shear_modulus "
+    "relaxation_young_modulus creep_compliance shear_creep_compliance tensile_creep_compliance a_T b_T log10_a_T note";
 
 /// "E'" of "e’": a letter and strokes, straight or bent.
 std::string modulus_symbol(std::string_view name) {
@@ -138,8 +55,7 @@ std::string modulus_symbol(std::string_view name) {
   while (!name.empty()) {
     constexpr std::array<std::pair<std::string_view, std::string_view>, 7> strokes{
         {{"'", "'"}, {"′", "'"}, {"’", "'"}, {"´", "'"}, {"\"", "''"}, {"″", "''"}, {"”", "''"}}};
-    const auto found = std::find_if(strokes.begin(), strokes.end(),
-                                    [&](const auto& stroke) { return name.starts_with(stroke.first); });
+    const auto found = find_if(strokes, [&](const auto& stroke) { return name.starts_with(stroke.first); });
     if (found == strokes.end()) return {};
     symbol += found->second;
     name.remove_prefix(found->first.size());
@@ -156,9 +72,9 @@ std::string as_key(std::string_view name) {
     if (gap && !key.empty() && key.back() == '_') continue;
     key += gap ? '_' : static_cast<char>(std::tolower(static_cast<unsigned char>(letter)));
   }
-  const auto usual =
-      std::find_if(usual_headings.begin(), usual_headings.end(), [&](const auto& one) { return one.first == key; });
-  return usual == usual_headings.end() ? key : std::string(usual->second);
+  for (const auto& [usual, others] : usual_headings)
+    if (has_word(others, key)) return std::string(usual);
+  return key;
 }
 
 /// The unit as the library of units has it.
@@ -201,9 +117,7 @@ UnitPlace unit_place(std::string_view text) {
 
 }  // namespace
 
-bool is_measured_name(std::string_view name) {
-  return std::find(measured_names.begin(), measured_names.end(), name) != measured_names.end();
-}
+bool is_measured_name(std::string_view name) { return has_word(measured_names, name); }
 
 bool is_unit(std::string_view text) {
   const std::string unit = plain_unit(text);
@@ -223,8 +137,7 @@ TableHeading table_heading(std::string_view text) {
   if (name.empty()) throw std::invalid_argument('"' + shortened(std::string(text)) + "\": a column has no name");
   TableHeading heading{as_key(name), plain_unit(trimmed(text.substr(place.begin, place.end - place.begin))), {}};
   constexpr std::array<std::string_view, 5> of_temperature{"K", "degC", "°C", "°F", "degF"};
-  if (heading.name == "t" &&
-      std::find(of_temperature.begin(), of_temperature.end(), heading.unit) != of_temperature.end())
+  if (heading.name == "t" && contains(of_temperature, heading.unit))
     heading.name = "temperature";
   else if (heading.name == "t" && !heading.unit.empty())
     heading.name = "time";

@@ -166,7 +166,7 @@ int line_of_known_names(const std::string& text) {
 
 /// Whether a line begins with a word: "Segment;2".
 bool begins_with_text(const std::vector<std::string>& cells) {
-  const auto first = std::find_if(cells.begin(), cells.end(), [](const std::string& cell) { return !cell.empty(); });
+  const auto first = find_if(cells, [](const std::string& cell) { return !cell.empty(); });
   return first == cells.end() || !(plain_number(*first) || with_point(*first));
 }
 

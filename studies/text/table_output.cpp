@@ -57,8 +57,7 @@ struct WordedTable {
     for (const auto& line : lines)
       for (std::size_t i = 0; i < line.size(); ++i) widths[i] = std::max(widths[i], width(line[i]));
     for (std::size_t i = 0; i < widths.size(); ++i)
-      left.push_back(std::any_of(table.rows.begin(), table.rows.end(),
-                                 [&](const auto& row) { return std::holds_alternative<std::string>(row[i]); }));
+      left.push_back(any_of(table.rows, [&](const auto& row) { return std::holds_alternative<std::string>(row[i]); }));
   }
 
   std::string padded(const std::vector<std::string>& line, std::size_t i) const {
@@ -81,6 +80,13 @@ Json json_of(const Cell& cell) {
 
 Json finite_or_null(double value) { return std::isfinite(value) ? Json(value) : Json(nullptr); }
 
+Json json_of_pairs(std::span<Json> parts) {
+  Json object = Json::object();
+  for (std::size_t i = 0; i + 1 < parts.size(); i += 2)
+    object[parts[i].get_ref<const std::string&>()] = std::move(parts[i + 1]);
+  return object;
+}
+
 Json json_of(const Table& table) {
   Json rows = Json::array();
   for (const auto& row : table.rows) {
@@ -91,11 +97,8 @@ Json json_of(const Table& table) {
 }
 
 Json json_of(const Provenance& program) {
-  return {{"version", program.version},
-          {"git_hash", program.git_hash},
-          {"solver", program.solver},
-          {"compiler", program.compiler},
-          {"machine", program.machine}};
+  return json_object("version", program.version, "git_hash", program.git_hash, "solver", program.solver, "compiler",
+                     program.compiler, "machine", program.machine);
 }
 
 std::string text_of(const Json& json, int indent) {

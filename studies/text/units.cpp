@@ -8,7 +8,6 @@
 #include <cmath>
 #include <cstdlib>
 #include <filesystem>
-#include <map>
 #include <memory>
 #include <mutex>
 #include <numbers>
@@ -183,30 +182,16 @@ std::optional<double> percentage(std::string_view text) {
 }
 
 std::string unit_in_words(std::string_view unit) {
-  static const std::map<std::string_view, std::string_view> measures{{"m", "length"},
-                                                                     {"byte", "memory"},
-                                                                     {"m2", "area"},
-                                                                     {"m/s", "speed"},
-                                                                     {"s", "time"},
-                                                                     {"Pa", "stress"},
-                                                                     {"N", "force"},
-                                                                     {"N/m", "force per length"},
-                                                                     {"N.m", "torque"},
-                                                                     {"W", "power"},
-                                                                     {"W/m", "power per length"},
-                                                                     {"kg/m3", "density"},
-                                                                     {"rad/s", "rotational speed"},
-                                                                     {"rad", "angle"},
-                                                                     {"K", "temperature"},
-                                                                     {"Hz", "frequency"},
-                                                                     {"J/mol", "molar energy"},
-                                                                     {"1/m", "curvature"},
-                                                                     {"W/m/K", "thermal conductivity"},
-                                                                     {"J/m3/K", "heat capacity per volume"},
-                                                                     {"W/m2/K", "heat transfer"},
-                                                                     {"W.s0.5/m2/K", "thermal effusivity"}};
-  if (const auto known = measures.find(unit); known != measures.end())
-    return "a unit of " + std::string(known->second) + " (" + std::string(unit) + ")";
+  constexpr std::string_view measures =  // units, each with what it measures
+      ", m length, byte memory, m2 area, m/s speed, s time, Pa stress, N force, N/m force per length, N.m torque, W "
+      "power, W/m power per length, kg/m3 density, rad/s rotational speed, rad angle, K temperature, Hz frequency, "
+      "J/mol molar energy, 1/m curvature, W/m/K thermal conductivity, J/m3/K heat capacity per volume, W/m2/K heat "
+      "transfer, W.s0.5/m2/K thermal effusivity,";
+  const std::string head = ", " + std::string(unit) + " ";
+  if (const std::size_t at = measures.find(head); at != std::string_view::npos) {
+    const std::string_view measure = measures.substr(at + head.size());
+    return "a unit of " + std::string(measure.substr(0, measure.find(','))) + " (" + std::string(unit) + ")";
+  }
   return "a unit that converts to " + std::string(unit);
 }
 

@@ -34,7 +34,7 @@ std::string shortened(std::string text) {
 std::string replaced(std::string_view text, std::initializer_list<std::pair<char, std::string_view>> by) {
   std::string out;
   for (const char letter : text) {
-    const auto found = std::find_if(by.begin(), by.end(), [&](const auto& one) { return one.first == letter; });
+    const auto found = find_if(by, [&](const auto& one) { return one.first == letter; });
     out += found == by.end() ? std::string_view(&letter, 1) : found->second;
   }
   return out;
@@ -45,6 +45,11 @@ std::string unknown(const std::string& what, std::span<const std::string_view> k
   const std::string nearest = nearest_name(known, name);
   if (!nearest.empty()) return what + "; did you mean " + nearest + "?";
   return otherwise.empty() ? what : what + "; " + otherwise;
+}
+
+std::string unknown(const std::string& what, const std::vector<std::string>& known, std::string_view name,
+                    const std::string& otherwise) {
+  return unknown(what, std::vector<std::string_view>(known.begin(), known.end()), name, otherwise);
 }
 
 std::string shell_word(std::string_view text) { return "'" + replaced(text, {{'\'', "'\\''"}}) + "'"; }

@@ -30,6 +30,8 @@ std::string shortened(std::string text);
 /// What is unknown, then the nearest known name or, where none is near, what else to do.
 std::string unknown(const std::string& what, std::span<const std::string_view> known, std::string_view name,
                     const std::string& otherwise = "");
+std::string unknown(const std::string& what, const std::vector<std::string>& known, std::string_view name,
+                    const std::string& otherwise = "");
 
 /// A text as one word of the shell.
 std::string shell_word(std::string_view text);
