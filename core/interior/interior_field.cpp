@@ -9,7 +9,6 @@
 #include "core/interior/flow_loss.hpp"
 #include "core/interior/interior_waves.hpp"
 #include "core/interior/ring_depth_response.hpp"
-#include "core/numerics/quadrature.hpp"
 #include "core/numerics/solution_limits.hpp"
 #include "core/surface/ring_compliance.hpp"
 

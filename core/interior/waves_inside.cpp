@@ -5,6 +5,7 @@
 #include "core/interior/interior_field.hpp"
 #include "core/numerics/quadrature.hpp"
 #include "core/numerics/solution_limits.hpp"
+#include "core/surface/ring_compliance.hpp"
 
 // Which waves the inside of a cylinder's layers is summed of.
 
