@@ -87,6 +87,7 @@ std::optional<std::size_t> peak(const ChartCurve& curve) {
 }
 
 ChartFiles chart_files(const std::filesystem::path& name) {
+  refuse_other_kind(name, {".svg", ".png", ".gp", ".dat"});
   const std::string suffix = name.extension().string();
   const bool ours = suffix == ".svg" || suffix == ".png" || suffix == ".gp" || suffix == ".dat";
   const std::string stem = (ours ? name.stem() : name.filename()).string();
