@@ -38,7 +38,9 @@ Json json_of(const DesignProblem& problem, const Design& design) {
               {"value", finite_or_null(design.value)},
               {"feasible", design.feasible()},
               {"reason", design.reason},
-              {"keys", design.keys}};
+              {"keys", design.keys},
+              {"warnings", design.warnings},
+              {"model_error", finite_or_null(design.model_error)}};
   if (problem.pareto) object["second"] = finite_or_null(design.second);
   return object;
 }
@@ -213,7 +215,11 @@ void print_text(const DesignProblem& problem, const OptimiseReport& report, std:
   if (report.best) {
     const Body body = problem.body();
     out << goal_in_words(problem, problem.goal) << ": " << readable(report.value(), unit_of(problem.goal.formula, body))
-        << "\n\n";
+        << '\n';
+    for (const std::string& warning : report.best->warnings) out << "warning  " << warning << '\n';
+    if (std::isfinite(report.best->model_error))
+      out << "what is assumed changes R_r by about " << percent(report.best->model_error, 2) << '\n';
+    out << '\n';
     write_aligned(out, variables_table(problem, report));
     out << '\n';
     if (!report.best->constraints.empty()) {
