@@ -116,7 +116,8 @@ std::string chart_data(const ChartRequest& request) {
   if (!request.comment.empty()) comment(request.comment);
   comment("column 1: " + described(request.x));
   comment("column 2: " + described(request.y));
-  comment("column 3: 1 if converged, else 0");
+  comment(request.hollow == not_converged ? "column 3: 1 if converged, else 0"
+                                          : "column 3: 0 if it " + request.hollow + ", else 1");
   comment("column 4: 1 if the curve bears a mark here");
   const bool areas = std::any_of(request.curves.begin(), request.curves.end(), [](const ChartCurve& curve) {
     return std::any_of(curve.points.begin(), curve.points.end(), [](const auto& point) { return point.area(); });

@@ -222,7 +222,7 @@ std::vector<LegendEntry> legend(const ChartRequest& request, bool crosses, bool 
   const std::string grey = " lw 1.5 lc rgb '#444444'";
   if (extrapolates(request))
     entries.push_back({"lines dt " + std::string(extrapolated_dash) + grey, "extrapolated", 12});
-  if (hollow) entries.push_back({"points pt 6 ps 0.7" + grey, "not converged", 13});
+  if (hollow) entries.push_back({"points pt 6 ps 0.7" + grey, gnuplot::plain(request.hollow), width(request.hollow)});
   if (areas && !request.areas.empty())
     entries.push_back({"boxes fc rgb '#444444' fs transparent solid 0.2 noborder", gnuplot::plain(request.areas),
                        width(request.areas)});
