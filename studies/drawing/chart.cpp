@@ -7,6 +7,7 @@
 #include <stdexcept>
 
 #include "studies/drawing/gnuplot.hpp"
+#include "studies/drawing/peak_values.hpp"
 #include "studies/drawing/thinned_chart.hpp"
 #include "studies/text/files.hpp"
 #include "studies/text/readable_number.hpp"
@@ -57,10 +58,11 @@ std::string description_of(const ChartRequest& request) {
     for (const ChartCurve& curve : request.curves)
       text += (&curve == &request.curves.front() ? "" : ", ") + curve.label;
   }
+  const ChartSpans spans = chart_spans(request);
   for (const ChartCurve& curve : request.curves)
-    if (const auto place = request.lines && request.mark_peaks ? peak(curve) : std::nullopt)
-      text += "; peak " + (curve.label.empty() ? "" : "at " + curve.label + " ") +
-              short_number(curve.points[*place].y, 4) + " at " + short_number(curve.points[*place].x, 4);
+    if (const auto top = request.lines && request.mark_peaks ? curve_peak(curve, spans) : std::nullopt)
+      text +=
+          "; peak " + (curve.label.empty() ? "" : "at " + curve.label + " ") + top->y_text(4) + " at " + top->x_text();
   return text;
 }
 
