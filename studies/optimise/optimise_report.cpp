@@ -8,6 +8,7 @@
 #include "studies/text/readable_number.hpp"
 #include "studies/text/table_json.hpp"
 #include "studies/text/table_output.hpp"
+#include "studies/text/value_and_error.hpp"
 #include "studies/text/words.hpp"
 
 namespace rollres {
@@ -16,10 +17,11 @@ namespace {
 
 Cell rough(double value) { return std::isfinite(value) ? Cell(short_number(value, 3)) : Cell(); }
 
-/// "0.71 +- 0.002"
+/// "0.71 +- 0.0021"
 Cell with_error(double value, double error) {
   if (!std::isfinite(value)) return {};
-  return short_number(value, 4) + (std::isfinite(error) ? " +- " + short_number(error, 1) : "");
+  const ValueAndError shown = value_and_error(value, error, "");
+  return shown.value + (std::isfinite(error) ? " +- " + shown.error : "");
 }
 
 std::string value_in_words(const DesignProblem& problem, const Variable& variable, double value) {

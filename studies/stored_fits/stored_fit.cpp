@@ -12,6 +12,7 @@
 #include "studies/text/readable_number.hpp"
 #include "studies/text/table_json.hpp"
 #include "studies/text/table_output.hpp"
+#include "studies/text/value_and_error.hpp"
 #include "studies/text/words.hpp"
 
 namespace rollres {
@@ -174,8 +175,8 @@ Table fit_parameter_table(const FitRecord& fit) {
   Table table{{"parameter", "value", "+-", "relative", "95 % linear", "95 % profile", "start", "flag"}, {}};
   for (const FitParameterRecord& p : fit.parameters) {
     const bool linear = !std::isnan(p.linear_lowest) || !std::isnan(p.linear_highest);
-    table.rows.push_back({p.name, readable(p.value, p.unit), readable(p.standard_error, p.unit),
-                          percent(p.relative_error),
+    const ValueAndError shown = value_and_error(p.value, p.standard_error, p.unit);
+    table.rows.push_back({p.name, shown.value, shown.error, percent(p.relative_error),
                           linear ? interval_in_words(p.linear_lowest, p.linear_highest, p.unit) : "-",
                           p.profile_low.empty() ? "-" : interval_in_words(p.profile_lowest, p.profile_highest, p.unit),
                           readable(p.start, p.unit), p.flag});
