@@ -138,10 +138,18 @@ Json axis_json(const std::string& name, const std::string& unit, bool logarithmi
   return name.empty() ? Json(nullptr) : Json{{"name", name}, {"unit", unit}, {"logarithmic", logarithmic}};
 }
 
-/// "3 solved, 12 recalled, 0 failed"
+/// "16: 3 scenes solved, 12 recalled, 1 repeated; 0 failed, in 0:02"; of a material, which needs no scenes, "101: 0
+/// failed, in 0:02".
 std::string evaluations_in_words(const FitRecord& fit) {
-  return std::to_string(fit.evaluations) + ": " + (fit.solved < 0 ? "" : std::to_string(fit.solved) + " solved, ") +
-         std::to_string(fit.recalled) + " recalled, " + std::to_string(fit.failures) + " failed, in " +
+  std::string scenes;
+  if (fit.solved > 0 || fit.recalled > 0) {
+    const std::int64_t repeated = fit.evaluations - fit.solved - fit.recalled;
+    if (fit.solved >= 0) scenes = std::to_string(fit.solved) + " scenes solved, ";
+    scenes += std::to_string(fit.recalled) + " recalled";
+    if (fit.solved >= 0 && repeated > 0) scenes += ", " + std::to_string(repeated) + " repeated";
+    scenes += "; ";
+  }
+  return std::to_string(fit.evaluations) + ": " + scenes + std::to_string(fit.failures) + " failed, in " +
          duration_in_words(fit.seconds);
 }
 
