@@ -208,7 +208,7 @@ Curves curves_of(const ShownStudy& shown, const Choice& choice, const ChartScale
     for (const QuantityColumn* const family : choice.families) values.push_back(rows.cell(row, *family));
     ChartPoint& point = curves[values][rows.cell(row, *choice.along)];
     point = {scales.x.unit.number(rows.number(row, *choice.x)), scales.y.unit.number(rows.number(row, *choice.y)),
-             rows.converged(row)};
+             rows.converged(row) && !rows.breaks_constraint(row)};
     if (shares)
       add_shares(point, rows, row, scales.y.unit.factor);
     else if (error.known() && point.converged)
@@ -325,6 +325,8 @@ StoredChart stored_chart(const ShownStudy& shown, const StudyChartOptions& optio
   }
   request.curves = labelled(curves, choice, rows);
   tell_families_apart(request, curves, choice, rows);
+  for (std::size_t row = 0; row < rows.size(); ++row)
+    if (rows.breaks_constraint(row)) request.hollow = "breaks a constraint";
   if (options.shares)
     stack_shares(request, study.name);
   else if (choice.scatter)

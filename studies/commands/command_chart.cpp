@@ -4,6 +4,7 @@
 #include "db/merge/gathered.hpp"
 #include "db/rows/fit_store.hpp"
 #include "studies/charts/study_chart.hpp"
+#include "studies/drawing/peak_values.hpp"
 #include "studies/program/commands.hpp"
 #include "studies/stored_fits/fit_chart.hpp"
 #include "studies/stored_fits/stored_fit.hpp"
@@ -44,13 +45,16 @@ std::string with_unit(double value, const ChartAxis& axis) {
 
 void print_peaks(std::ostream& out, const ChartRequest& request) {
   if (!request.lines || !request.mark_peaks) return;
+  const ChartSpans spans = chart_spans(request);
+  const auto told = [](const std::string& value, const ChartAxis& axis) {
+    return value + (axis.unit.empty() ? "" : " " + axis.unit);
+  };
   for (const ChartCurve& curve : request.curves)
-    if (const auto place = peak(curve)) {
-      const ChartPoint& top = curve.points[*place];
+    if (const auto top = curve_peak(curve, spans)) {
       out << "peak";
       if (!curve.label.empty())
         out << " of " << (request.family.name.empty() ? "" : request.family.name + " ") << curve.label;
-      out << ": " << with_unit(top.y, request.y) << " at " << with_unit(top.x, request.x) << '\n';
+      out << ": " << told(top->y_text(), request.y) << " at " << told(top->x_text(), request.x) << '\n';
     }
 }
 
@@ -58,7 +62,7 @@ void print_peaks(std::ostream& out, const MapRequest& request) {
   const auto named = [](double value, const ChartAxis& axis) { return axis.name + " " + with_unit(value, axis); };
   const PlaneField& field = request.field;
   if (const auto place = map_peak(request))
-    out << "peak: " << named(field.values[*place], request.value) << " at "
+    out << "largest of the points: " << named(field.values[*place], request.value) << " at "
         << named(field.x[*place % field.x.size()], request.x) << ", "
         << named(field.y[*place / field.x.size()], request.y) << '\n';
   if (request.optimum)

@@ -49,15 +49,22 @@ ShownUnits units_of(const QueryArguments& arguments) {
   return arguments.format == workbook_format ? ShownUnits::scaled_exactly : ShownUnits::scaled;
 }
 
-/// What the only study that the question names computes; the usual outputs otherwise.
-std::vector<std::string> outputs_for(const Database& database, const Query& question) {
-  std::vector<std::string> outputs, studies;
+/// What the file of the only study that the question names says; nothing otherwise.
+std::optional<StudyDefinition> only_definition(const Database& database, const Query& question) {
+  std::vector<std::string> studies;
   for (const Filter& filter : question.filters)
     if (filter.column == study_key && filter.comparison == Comparison::equal) studies.push_back(filter.value);
   if (studies.size() == 1)
     for (const auto& row : run_sql(database, "SELECT name, definition FROM study").rows)
       if (row[0] == Cell(studies.front()))
-        outputs = definition_in(std::get<std::string>(row[1]), database.name() + ": " + studies.front()).compute;
+        return definition_in(std::get<std::string>(row[1]), database.name() + ": " + studies.front());
+  return std::nullopt;
+}
+
+/// What the only study that the question names computes; the usual outputs otherwise.
+std::vector<std::string> outputs_for(const Database& database, const Query& question) {
+  const std::optional<StudyDefinition> study = only_definition(database, question);
+  std::vector<std::string> outputs = study ? study->compute : std::vector<std::string>();
   if (outputs.empty()) outputs = {"rolling_resistance", "rolling_resistance_coefficient"};
   return outputs;
 }
@@ -89,6 +96,17 @@ std::vector<std::string> choose_columns(const Database& database, Query& questio
   return droppable;
 }
 
+/// All columns, and behind them the formulas of the only study that the question names.
+void choose_all(const Database& database, Query& question) {
+  const std::optional<StudyDefinition> study = only_definition(database, question);
+  if (!question.columns.empty() || !study || study->formulas.empty()) return;
+  Query none = question;
+  none.limit = 0;
+  add_derived(database, none);
+  question.columns = run_query(database, none).columns;
+  for (const auto& [name, formula] : study->formulas) question.columns.push_back(name);
+}
+
 /// Leaves out what a terminal has no room for, and says so.
 void fit_to_terminal(Table& table, const std::vector<std::string>& droppable, Session& session) {
   constexpr std::size_t usual_width = 120;  // where there is no terminal
@@ -118,6 +136,7 @@ Table rows(const QueryArguments& arguments, const Database& database, Session& s
     add_derived(database, question);  // which the filters may name
     droppable = choose_columns(database, question);
   }
+  if (!is_for_people(arguments)) choose_all(database, question);
   const FormulaDefinitions formulas = add_derived(database, question);
   if (!is_for_people(arguments)) return run_query(database, question);
   Table table = shown_rows(database, question, formulas, units_of(arguments));
@@ -174,7 +193,8 @@ void query(const QueryArguments& arguments, Session& session) {
   };
   if (arguments.format == "csv" && !arguments.sql && !arguments.fits && !grouped) {  // of any number of rows
     Query question = question_of(arguments);
-    const FormulaDefinitions formulas = add_derived(database, question);
+    choose_all(database, question);
+    add_derived(database, question);
     const ColumnTable table = run_column_query(database, question);
     deliver(table.rows, [&](std::ostream& out) { write_csv(out, table); });
   } else {

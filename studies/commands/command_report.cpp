@@ -18,6 +18,7 @@ struct ReportArguments {
 
 void report(const ReportArguments& arguments, Session& session) {
   if (arguments.out.empty()) throw std::invalid_argument("--out = \"\": must name a file");
+  refuse_other_kind(arguments.out, {".html", ".htm"});
   ResultStore store(arguments.database, Access::read);
   ReportOptions options = arguments.options;
   if (!arguments.studies.empty()) {

@@ -13,6 +13,7 @@
 #include "studies/text/readable_number.hpp"
 #include "studies/text/table_json.hpp"
 #include "studies/text/table_output.hpp"
+#include "studies/text/value_and_error.hpp"
 #include "studies/text/words.hpp"
 
 namespace rollres {
@@ -153,6 +154,21 @@ GlobalFindings morris_findings(const DesignProblem& problem, const CubeFunction&
   return findings;
 }
 
+/// The table for people: numbers beside their errors are rounded by these.
+Table rounded_by_errors(Table table) {
+  for (std::size_t i = 0; i + 1 < table.columns.size(); ++i) {
+    if (table.columns[i + 1] != table.columns[i] + "_error") continue;
+    for (auto& row : table.rows) {
+      const auto *const value = std::get_if<double>(&row[i]), *const error = std::get_if<double>(&row[i + 1]);
+      if (!value || !error) continue;
+      const ValueAndError shown = value_and_error(*value, *error, "");
+      row[i] = shown.value;
+      row[i + 1] = shown.error;
+    }
+  }
+  return table;
+}
+
 void global_sensitivity(const SensitivityArguments& arguments, Session& session) {
   const DesignProblem problem = read_ranges(arguments.file, arguments.overrides, arguments.ranges, arguments.output);
   const StopSignal signal;
@@ -201,7 +217,7 @@ void global_sensitivity(const SensitivityArguments& arguments, Session& session)
   } else {
     session.out << problem.goal.formula.text() << (unit.empty() ? "" : " [" + unit + "]") << ", " << arguments.indices
                 << ": " << in_words(count) << "\n\n";
-    write_aligned(session.out, findings.table);
+    write_aligned(session.out, rounded_by_errors(findings.table));
   }
   if (arguments.out.empty()) return;
   BarChart chart{.title = problem.name + ": " + in_words(problem.goal.formula.text()),

@@ -131,6 +131,8 @@ void show_study(const ShowArguments& arguments, ResultStore& store, const StudyS
     for (const char* const name : {"front", "goal", "second_goal", "feasible"}) add(name, name);
   std::vector<std::string> outputs = definition.compute;
   if (outputs.empty()) outputs.assign(std::begin(main_outputs), std::end(main_outputs));
+  const std::vector<std::string> charted = charted_numbers(definition, study.axes);
+  outputs.insert(outputs.begin(), charted.begin(), charted.end());
   for (const std::string& output : outputs) add(output, output);
   add("status", "status");
   const FormulaDefinitions formulas = add_derived(database, query);
@@ -153,7 +155,9 @@ void show_study(const ShowArguments& arguments, ResultStore& store, const StudyS
   if (query.limit && study.points > most_designs)
     session.out << "the best " << most_designs << " designs come first: --json has all\n";
   constexpr std::size_t position_and_id = 2;
-  const std::string constants = take_constants(table, position_and_id, definition.compute);
+  std::vector<std::string> asked = definition.compute;
+  asked.insert(asked.end(), charted.begin(), charted.end());
+  const std::string constants = take_constants(table, position_and_id, asked);
   if (!constants.empty()) session.out << "in all points: " << constants << '\n';
   std::vector<std::string> droppable;
   for (const std::string& name : names)

@@ -7,6 +7,7 @@
 #include <stdexcept>
 
 #include "studies/drawing/gnuplot.hpp"
+#include "studies/drawing/peak_values.hpp"
 #include "studies/drawing/thinned_chart.hpp"
 #include "studies/text/files.hpp"
 #include "studies/text/readable_number.hpp"
@@ -53,10 +54,11 @@ std::string description_of(const ChartRequest& request) {
     for (const ChartCurve& curve : request.curves)
       text += (&curve == &request.curves.front() ? "" : ", ") + curve.label;
   }
+  const ChartSpans spans = chart_spans(request);
   for (const ChartCurve& curve : request.curves)
-    if (const auto place = request.lines && request.mark_peaks ? peak(curve) : std::nullopt)
-      text += "; peak " + (curve.label.empty() ? "" : "at " + curve.label + " ") +
-              short_number(curve.points[*place].y, 4) + " at " + short_number(curve.points[*place].x, 4);
+    if (const auto top = request.lines && request.mark_peaks ? curve_peak(curve, spans) : std::nullopt)
+      text +=
+          "; peak " + (curve.label.empty() ? "" : "at " + curve.label + " ") + top->y_text(4) + " at " + top->x_text();
   return text;
 }
 
@@ -83,6 +85,7 @@ std::optional<std::size_t> peak(const ChartCurve& curve) {
 }
 
 ChartFiles chart_files(const std::filesystem::path& name) {
+  refuse_other_kind(name, {".svg", ".png", ".gp", ".dat"});
   const std::string suffix = name.extension().string();
   const bool ours = suffix == ".svg" || suffix == ".png" || suffix == ".gp" || suffix == ".dat";
   const std::string stem = (ours ? name.stem() : name.filename()).string();
@@ -116,7 +119,8 @@ std::string chart_data(const ChartRequest& request) {
   if (!request.comment.empty()) comment(request.comment);
   comment("column 1: " + described(request.x));
   comment("column 2: " + described(request.y));
-  comment("column 3: 1 if converged, else 0");
+  comment(request.hollow == not_converged ? "column 3: 1 if converged, else 0"
+                                          : "column 3: 0 if it " + request.hollow + ", else 1");
   comment("column 4: 1 if the curve bears a mark here");
   const bool areas = any_of(request.curves, [](const ChartCurve& curve) {
     return any_of(curve.points, [](const auto& point) { return point.area(); });

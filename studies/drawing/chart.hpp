@@ -62,6 +62,8 @@ struct ChartRange {
   std::string meaning;
 };
 
+inline constexpr std::string_view not_converged = "not converged";
+
 struct ChartRequest {
   std::string title;          ///< broken into two lines where it is long
   std::string subtitle = {};  ///< what is shown of it: "load = 20 kN/m"
@@ -70,8 +72,9 @@ struct ChartRequest {
   std::vector<ChartFamily> families =
       {};  ///< two: colours from dark to light tell the first, dashes and marks the second
   std::vector<ChartCurve> curves;
-  bool ordered = false;    ///< the curves come in the order of the family's values
-  bool end_labels = true;  ///< many curves in an order bear their labels at their ends
+  bool ordered = false;                             ///< the curves come in the order of the family's values
+  bool end_labels = true;                           ///< many curves in an order bear their labels at their ends
+  std::string hollow = std::string(not_converged);  ///< what a point is that is drawn hollow
   std::string areas = {};  ///< what the areas of the points mean, as bands round the curves; empty: they fill the chart
   std::optional<ChartRange> range = {};
   bool lines = true;         ///< join the points of a curve; else each bears a mark and no peak is marked

@@ -135,6 +135,51 @@ void write_axis(std::ostream& script, char name, const Span& span) {
          << ")\n";
 }
 
+/// The step that gnuplot chooses for a linear axis: it divides its length into four to ten parts.
+double usual_step(double length) {
+  const double power = std::pow(10.0, std::floor(std::log10(length))), parts = length / power;
+  return power * (parts < 2 ? 0.2 : parts < 5 ? 0.5 : 1);
+}
+
+/// Width of the widest number of an axis whose linear numbers are so far apart [px].
+double widest_number(const Span& span, double step) {
+  std::vector<double> numbers = ticks(span);
+  if (!span.logarithmic)
+    for (double i = std::ceil(span.lowest / step); i <= std::floor(span.highest / step); ++i)
+      numbers.push_back(i * step);
+  else if (numbers.empty())
+    for (const double end : {std::ceil(std::log10(span.lowest)), std::floor(std::log10(span.highest))})
+      numbers.push_back(std::pow(10.0, end));
+  constexpr double digit = 0.64 * font_size, sign = 0.36 * font_size, point = 0.32 * font_size;
+  double widest = 0;
+  for (const double number : numbers) {
+    double wide = 0;
+    for (const char letter : short_number(number)) wide += letter == '-' ? sign : letter == '.' ? point : digit;
+    widest = std::max(widest, wide);
+  }
+  return widest;
+}
+
+/// From the middle of a y axis's label, left of its numbers, to the axis [px].
+double label_to_plot(const Span& y) {
+  constexpr double half_label_and_gaps = 40;
+  return half_label_and_gaps + widest_number(y, usual_step(std::abs(y.highest - y.lowest)));
+}
+
+/// Numbers farther apart than gnuplot's own where these would run into each other.
+void space_numbers(std::ostream& script, const Span& x, double plot_width) {
+  if (x.logarithmic) return;
+  constexpr double gap = 8;  // between two numbers [px]
+  const double length = std::abs(x.highest - x.lowest), usual = usual_step(length);
+  const auto fits = [&](double step) { return widest_number(x, step) + gap < step / length * plot_width; };
+  if (fits(usual)) return;
+  for (const double fewest : {4.0, 2.5, 1.5})
+    if (const double step = even_step(length, fewest); fits(step)) {
+      script << "set xtics " << short_number(step) << "\n";
+      return;
+    }
+}
+
 /// Where entries of a legend stand: row by row, as many side by side as the picture holds.
 struct LegendGrid {
   static constexpr double sample = 54;  // room left of the text [px]
@@ -247,6 +292,11 @@ void write_pictures(std::ostream& script, const ChartFiles& files, const std::st
          << "set output " << here(files.png) << "\nreplot\nunset output\n";
 }
 
+double left_edge_for(const Span& y) {
+  constexpr double least = 84, before = 14;  // left of the middle of the label [px]
+  return std::max(least, std::ceil(before + label_to_plot(y)));
+}
+
 std::vector<DataRow> closed(const ContourLoop& loop) {
   std::vector<DataRow> rows;
   for (const auto& [x, y] : loop.points) rows.push_back({x, y});
@@ -256,7 +306,11 @@ std::vector<DataRow> closed(const ContourLoop& loop) {
 
 PictureBuilder::PictureBuilder(std::string_view title, const ChartFiles& files, const ChartAxis& x, const Span& x_span,
                                const ChartAxis& y, const Span& y_span)
-    : files_(files), data_("# " + std::string(title) + '\n') {
+    : files_(files),
+      x_span_(x_span),
+      y_span_(y_span),
+      y_label_(y.name.empty() ? "" : axis_label(y, 34)),
+      data_("# " + std::string(title) + '\n') {
   write_axes(script_, files, x, x_span, y, y_span);
 }
 
@@ -280,6 +334,11 @@ std::string PictureBuilder::add(std::string_view name, std::string_view columns,
 }
 
 PictureText PictureBuilder::finished(const std::string& title, const PictureShape& shape) {
+  if (shape.left > 0 && !shape.surface && !y_label_.empty()) {  // gnuplot's own label may cross the picture's edge
+    script_ << "unset ylabel\nset label " << y_label_ << " at screen "
+            << short_number((shape.left - label_to_plot(y_span_)) / picture_width, 4) << ", graph 0.5 center rotate\n";
+    space_numbers(script_, x_span_, shape.right - shape.left);
+  }
   write_pictures(script_, files_, title, plots_, legend_, shape);
   return {script_.str(), data_};
 }

@@ -70,6 +70,9 @@ struct LegendEntry {
 void write_axes(std::ostream& script, const ChartFiles& files, const ChartAxis& x, const Span& x_span,
                 const ChartAxis& y, const Span& y_span);
 
+/// Left edge of a plot that leaves room for the numbers of its y axis and, at the picture's edge, for its label [px].
+double left_edge_for(const Span& y);
+
 /// Sizes of a picture in pixels of its SVG, which is 560 wide.
 struct PictureShape {
   double height = 345;                       ///< of all that stands below title and legend
@@ -118,6 +121,8 @@ class PictureBuilder {
 
  private:
   ChartFiles files_;
+  Span x_span_, y_span_;
+  std::string y_label_;
   std::ostringstream script_;
   std::string data_;
   int blocks_ = 0;

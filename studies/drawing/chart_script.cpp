@@ -114,6 +114,14 @@ void write_peak_values(std::ostream& script, const ChartRequest& request, const 
   }
 }
 
+void write_peak_rings(std::ostream& script, const ChartRequest& request, const Layout& layout) {
+  if (!request.lines || !request.mark_peaks) return;
+  for (std::size_t i = 0; i < request.curves.size(); ++i)
+    if (const auto top = curve_peak(request.curves[i], layout))
+      script << "set label '' at first " << short_number(top->x, 15) << ", first " << short_number(top->y, 15)
+             << " point pt 6 ps 1.3 lw 1.5 lc rgb '" << look(request, i).colour << "' front\n";
+}
+
 /// Labels of the curves at the right of the plot, in the order of the curves' ends, with a line to each of them.
 void write_end_labels(std::ostream& script, const ChartRequest& request, const Layout& layout, double from_top) {
   struct End {
@@ -143,8 +151,8 @@ void write_end_labels(std::ostream& script, const ChartRequest& request, const L
     const ChartCurve& curve = request.curves[end.curve];
     const std::string colour = look(request, end.curve).colour;
     std::string text = gnuplot::plain(curve.label);
-    if (const auto place = request.mark_peaks ? peak(curve) : std::nullopt)
-      text += ": " + peak_text(curve.points[*place], layout);
+    if (const auto top = request.mark_peaks ? curve_peak(curve, layout) : std::nullopt)
+      text += ": " + peak_text(*top, layout);
     script << "set label " << gnuplot::quoted(text + kept_blanks) << " at graph 1.06, graph " << short_number(end.at, 4)
            << " left font ',14' tc rgb '" << letter_colour(colour) << "'\n"
            << "set arrow from first " << short_number(end.point.x, 15) << ", first " << short_number(end.point.y, 15)
@@ -219,7 +227,7 @@ std::vector<LegendEntry> legend(const ChartRequest& request, bool crosses, bool 
   const std::string grey = " lw 1.5 lc rgb '#444444'";
   if (extrapolates(request))
     entries.push_back({"lines dt " + std::string(extrapolated_dash) + grey, "extrapolated", 12});
-  if (hollow) entries.push_back({"points pt 6 ps 0.7" + grey, "not converged", 13});
+  if (hollow) entries.push_back({"points pt 6 ps 0.7" + grey, gnuplot::plain(request.hollow), width(request.hollow)});
   if (areas && !request.areas.empty())
     entries.push_back({"boxes fc rgb '#444444' fs transparent solid 0.2 noborder", gnuplot::plain(request.areas),
                        width(request.areas)});
@@ -267,13 +275,6 @@ std::vector<std::string> plots(const ChartRequest& request, bool areas) {
       parts.push_back(data + "0 ? $2 : NaN) with points pt " + std::to_string(look(request, i).hollow) +
                       " ps 0.7 lw 1.5 lc rgb '" + look(request, i).colour + "' notitle");
   }
-  if (request.lines && request.mark_peaks)
-    for (std::size_t i = 0; i < request.curves.size(); ++i)
-      if (const auto top = peak(request.curves[i])) {
-        const std::string row = std::to_string(*top);
-        parts.push_back("data index " + std::to_string(i) + " every ::" + row + "::" + row +
-                        " using 1:2 with points pt 6 ps 1.3 lw 1.5 lc rgb '" + look(request, i).colour + "' notitle");
-      }
   return parts;
 }
 
@@ -307,6 +308,7 @@ std::string chart_script(const ChartRequest& request, const ChartFiles& files) {
   } else if (request.lines && request.mark_peaks) {
     write_peak_values(script, request, layout);
   }
+  write_peak_rings(script, request, layout);
   const bool areas = areas_are_seen(request, layout);
   const std::vector<LegendEntry> entries = legend(request, write_crosses(script, request), areas);
   write_pictures(script, files, request.title, plots(request, areas), entries, shape);

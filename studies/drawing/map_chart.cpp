@@ -16,7 +16,7 @@ namespace rollres {
 
 namespace {
 
-constexpr double left_edge = 108, right_edge = 424, lower_edge = 88;  // a colour bar stands on the right [px]
+constexpr double least_left = 108, right_edge = 424, lower_edge = 88;  // a colour bar stands on the right [px]
 
 /// Values for the nodes that have none: means of their neighbours, from the answers outwards.
 PlaneField filled(PlaneField field) {
@@ -62,8 +62,10 @@ class MapDrawing : PictureBuilder {
     draw_limits();
     draw_designs();
     mark_peak();
-    PictureText text = finished(request_.title,
-                                {.left = left_edge, .right = right_edge, .bottom = lower_edge, .subtitle = subtitle()});
+    PictureText text = finished(request_.title, {.left = std::max(least_left, left_edge_for(y_)),
+                                                 .right = right_edge,
+                                                 .bottom = lower_edge,
+                                                 .subtitle = subtitle()});
     std::string head;
     for (const char letter : request_.comment + "\n")
       head += head.empty() || head.back() == '\n' ? std::string("# ") + letter : std::string(1, letter);

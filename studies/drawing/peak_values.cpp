@@ -30,21 +30,72 @@ std::vector<std::array<double, 2>> places_around(double x, double y, double half
   return places;
 }
 
+/// Significant digits of a value whose last one is worth more than its doubt.
+int digits_known(double value, double doubt) {
+  constexpr int fewest = 1, most = 5;
+  if (!(doubt > 0) || value == 0) return most;
+  const double digits = std::floor(std::log10(std::abs(value))) - std::ceil(std::log10(doubt)) + 1;
+  return static_cast<int>(std::clamp<double>(digits, fewest, most));
+}
+
 }  // namespace
 
-std::string peak_text(const ChartPoint& top, const ChartSpans& layout) {
+std::string CurvePeak::x_text() const { return short_number(x, x_digits); }
+std::string CurvePeak::y_text(int most) const { return short_number(y, std::min(y_digits, most)); }
+
+std::optional<CurvePeak> curve_peak(const ChartCurve& curve, const ChartSpans& spans) {
+  const auto place = peak(curve);
+  if (!place) return std::nullopt;
+  const auto x = [&](std::size_t i) { return spans.x.along(curve.points[i].x); };
+  const auto y = [&](std::size_t i) { return spans.y.along(curve.points[i].y); };
+  const std::size_t i = *place;
+  const double before = x(i) - x(i - 1), after = x(i + 1) - x(i);
+  const double fall_before = (y(i) - y(i - 1)) / before, fall_after = (y(i + 1) - y(i)) / after;
+  const double bend = (fall_after - fall_before) / (before + after);  // half the second derivative
+  const ChartPoint& largest = curve.points[i];
+  if (!(before * after > 0) || !(bend < 0)) return CurvePeak{largest.x, largest.y, 5, 5};
+  const double slope = fall_before + bend * before;  // at the largest point
+  const double aside = -0.5 * slope / bend, rise = -0.25 * slope * slope / bend;
+  // What a cubic through one more point adds at the parabola's top, and by how much it moves the top.
+  double more = 0, moved = 0;
+  bool known = false;
+  const auto compare = [&](std::size_t next) {
+    if (!curve.points[next].joined()) return;
+    const double away = x(next) - x(i);
+    const double missed = y(next) - y(i) - away * (slope + bend * away);
+    const double third = missed / ((away + before) * away * (away - after));
+    more = std::max(more, std::abs(third * (aside + before) * aside * (aside - after)));
+    moved = std::max(
+        moved, std::abs(third * (3 * aside * aside + 2 * aside * (before - after) - before * after) / (2 * bend)));
+    known = true;
+  };
+  if (i >= 2) compare(i - 2);
+  if (i + 2 < curve.points.size()) compare(i + 2);
+  const bool smooth = known && more <= rise;
+  const double top_x = smooth ? spans.x.back(x(i) + aside) : largest.x,
+               top_y = smooth ? spans.y.back(y(i) + rise) : largest.y;
+  const double doubt_along = smooth ? moved : std::max(moved, std::abs(aside)),
+               doubt_up = smooth ? more : std::max(more, rise);
+  const auto doubt = [](const Span& axis, double value, double along) {
+    return axis.logarithmic ? std::abs(value) * std::log(10.0) * along : along;
+  };
+  return CurvePeak{top_x, top_y, digits_known(top_x, doubt(spans.x, top_x, doubt_along)),
+                   digits_known(top_y, doubt(spans.y, top_y, doubt_up))};
+}
+
+std::string peak_text(const CurvePeak& top, const ChartSpans& layout) {
   const double fineness = layout.y.logarithmic ? 1 : std::abs(top.y) / (layout.y.highest - layout.y.lowest);
-  return short_number(top.y, 3 + static_cast<int>(std::log10(std::max(1.0, fineness))));
+  return top.y_text(3 + static_cast<int>(std::log10(std::max(1.0, fineness))));
 }
 
 std::vector<PeakValue> peak_values(const ChartRequest& request, const ChartSpans& layout) {
   struct Top {
     std::size_t curve;
-    ChartPoint point;
+    CurvePeak point;
   };
   std::vector<Top> tops;
   for (std::size_t i = 0; i < request.curves.size(); ++i)
-    if (const auto place = peak(request.curves[i])) tops.push_back({i, request.curves[i].points[*place]});
+    if (const auto top = curve_peak(request.curves[i], layout)) tops.push_back({i, *top});
   stable_sort(tops, [](const Top& a, const Top& b) { return a.point.y > b.point.y; });
 
   std::vector<LabelBox> taken;  // first by the rings

@@ -1,6 +1,6 @@
 #pragma once
 
-/// Where a chart has room for the values of its peaks.
+/// The peaks of a chart's curves, and where it has room for their values.
 
 #include "studies/drawing/chart_frame.hpp"
 
@@ -35,16 +35,30 @@ struct LabelBox {
   }
 };
 
+/// The peak of a curve, with as many digits as its points support.
+struct CurvePeak {
+  double x, y;
+  int x_digits, y_digits;
+
+  std::string x_text() const;
+  std::string y_text(int most = 5) const;
+};
+
+/// The top of the parabola through the largest point and its neighbours, in the scales of the axes, where the points
+/// beyond these change it by less than it rises above the largest point; else the largest point itself, known as well
+/// as the parabola's top agrees with it. Empty as `peak` is.
+std::optional<CurvePeak> curve_peak(const ChartCurve& curve, const ChartSpans& spans);
+
 /// The value of a peak, and where it is written.
 struct PeakValue {
   std::size_t curve;
-  ChartPoint point;
-  std::string text;  ///< three significant digits, more where the axis spans little of the value
+  CurvePeak point;
+  std::string text;  ///< as peak_text
   LabelBox box;      ///< that its letters take
 };
 
-/// A peak's value, with more than three digits where the axis spans little of it.
-std::string peak_text(const ChartPoint& top, const ChartSpans& layout);
+/// A peak's value: three significant digits, more where the axis spans little of it, as far as its points support them.
+std::string peak_text(const CurvePeak& top, const ChartSpans& layout);
 
 /// The values of the peaks, the highest first, each where it covers no curve, no other peak and no other value; a peak
 /// for whose value the plot has no such place has none.

@@ -13,7 +13,7 @@ namespace rollres {
 namespace {
 
 // Of the picture [px].
-constexpr double shown_left = 84, shown_right = 500, plot_height = 250, axis_height = 66, gap_over_plot = 10;
+constexpr double shown_right = 500, plot_height = 250, axis_height = 84, gap_over_plot = 10;
 constexpr double widest_contact = 96, highest_contact = 110, bar_height = 16, words_height = 26;
 constexpr std::size_t most_contacts = 6;
 
@@ -58,7 +58,8 @@ struct ShownContacts {
 };
 
 /// So many of the points, as even along the axis as they are.
-ShownContacts evenly(const std::vector<CharacteristicPoint>& points, std::size_t count, const Span& span) {
+ShownContacts evenly(const std::vector<CharacteristicPoint>& points, std::size_t count, const Span& span,
+                     double plot_width) {
   std::set<std::size_t> chosen;
   const double from = span.fraction(points.front().place), to = span.fraction(points.back().place);
   for (std::size_t k = 0; k < count; ++k) {
@@ -73,18 +74,18 @@ ShownContacts evenly(const std::vector<CharacteristicPoint>& points, std::size_t
   for (const std::size_t i : chosen) {
     if (!shown.points.empty())
       shown.each =
-          std::min(shown.each, apart * (shown_right - shown_left) *
-                                   (span.fraction(points[i].place) - span.fraction(shown.points.back()->place)));
+          std::min(shown.each,
+                   apart * plot_width * (span.fraction(points[i].place) - span.fraction(shown.points.back()->place)));
     shown.points.push_back(&points[i]);
   }
   return shown;
 }
 
 /// Of up to six contacts those that fill the axis best.
-ShownContacts shown_contacts(const std::vector<CharacteristicPoint>& points, const Span& span) {
-  ShownContacts best = evenly(points, 2, span);
+ShownContacts shown_contacts(const std::vector<CharacteristicPoint>& points, const Span& span, double plot_width) {
+  ShownContacts best = evenly(points, 2, span, plot_width);
   for (std::size_t count = 3; count <= std::min(points.size(), most_contacts); ++count)
-    if (ShownContacts more = evenly(points, count, span);
+    if (ShownContacts more = evenly(points, count, span, plot_width);
         more.each * static_cast<double>(more.points.size()) > best.each * static_cast<double>(best.points.size()))
       best = std::move(more);
   return best;
@@ -129,8 +130,9 @@ ContactShape shape_of(const CharacteristicPoint& point) {
 
 /// Draws the contacts below the axis.
 /// @returns the room that they take, with the words below them [px]
-double draw_contacts(const CharacteristicRequest& request, const Span& span, PictureBuilder& picture) {
-  const auto [shown, each] = shown_contacts(request.points, span);
+double draw_contacts(const CharacteristicRequest& request, const Span& span, double plot_width,
+                     PictureBuilder& picture) {
+  const auto [shown, each] = shown_contacts(request.points, span, plot_width);
   std::vector<ContactShape> shapes;
   double longest = 0, widest = 0;
   for (const CharacteristicPoint* const point : shown) {
@@ -138,7 +140,6 @@ double draw_contacts(const CharacteristicRequest& request, const Span& span, Pic
     longest = std::max(longest, shapes.back().length);
     widest = std::max(widest, shapes.back().width);
   }
-  const double plot_width = shown_right - shown_left;
   const double scale = std::min(each / longest, widest > 0 ? highest_contact / widest : INFINITY);  // [px/m]
   const double band = widest > 0 ? scale * widest : bar_height;
   const auto graph = [](double x, double y) { return "graph " + short_number(x, 5) + ", graph " + short_number(y, 5); };
@@ -206,8 +207,9 @@ ChartFiles draw_characteristic(const CharacteristicRequest& request, const std::
   x.widen(0, 0);
   const ChartFiles files = chart_files(name);
   constexpr const char* block = "characteristic";
-  PictureBuilder picture(block, files, request.x, x, {.name = "force over load", .symbol = "", .unit = ""},
-                         heights(curves, points));
+  const Span y = heights(curves, points);
+  const double left = left_edge_for(y);
+  PictureBuilder picture(block, files, request.x, x, {.name = "force over load", .symbol = "", .unit = ""}, y);
   std::string columns = request.x.name + unit_in_brackets(request.x.unit);
   for (const Curve& curve : curves) columns += ", " + curve.symbol;
   std::vector<DataRow> rows;
@@ -229,14 +231,14 @@ ChartFiles draw_characteristic(const CharacteristicRequest& request, const std::
     picture.explain({look, gnuplot::symbol(curves[i].symbol) + ": " + gnuplot::plain(curves[i].name) + kept_blanks,
                      curves[i].symbol.size() + 1 + curves[i].name.size()});
   }
-  picture.explain(LegendEntry::plain(bound, "bound by friction"));
+  picture.explain(LegendEntry::plain(bound, "bound of the shear"));
   const auto box = [](const char* colour) { return "boxes fs solid 1 noborder lc rgb '" + std::string(colour) + "'"; };
   picture.explain(LegendEntry::plain(box(stick_colour), "stick"));
   picture.explain(LegendEntry::plain(box(slip_colour), "slip, its share below"));
   picture.script() << "set arrow from graph 0, first 0 to graph 1, first 0 nohead lc rgb '#444444' back\n";
-  const double below = axis_height + draw_contacts(request, x, picture);
+  const double below = axis_height + draw_contacts(request, x, shown_right - left, picture);
   const auto [script, text] = picture.finished(request.title, {.height = gap_over_plot + plot_height + below,
-                                                               .left = shown_left,
+                                                               .left = left,
                                                                .right = shown_right,
                                                                .bottom = below,
                                                                .gap = gap_over_plot,

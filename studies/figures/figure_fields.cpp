@@ -46,12 +46,17 @@ FieldOfFigure field_of_figure(const FigureSource& source, std::string_view name,
           gnuplot::symbol(shown.symbol) + "  [" + typeset_unit(unit.name) + "]"};
 }
 
-/// What is drawn of loops above and below zero: a list of their blocks, for a loop of the script.
-std::string blocks_of(const std::vector<ContourLoop>& loops, bool negative) {
+/// Plots the loops above or below zero by their blocks, named in the script; where there are none, nothing: gnuplot
+/// goes through an empty list once.
+void plot_loops(FigureMap& map, const std::vector<ContourLoop>& loops, bool negative) {
   std::vector<std::string> blocks;
   for (std::size_t i = 0; i < loops.size(); ++i)
     if ((loops[i].level < 0) == negative) blocks.push_back(std::to_string(i));
-  return listed(blocks);
+  if (blocks.empty()) return;
+  const std::string name = negative ? "negative" : "positive";
+  map.script() << name << " = \"" << listed(blocks) << "\"\n";
+  map.plot("for [i in " + name + "] data index (int(i)) using 1:2 with lines lc rgb '#80000000' lw " +
+           (negative ? "1 dt (6,4)" : "0.7") + " notitle");
 }
 
 }  // namespace
@@ -87,8 +92,7 @@ PictureText contour_map(const Figure& figure, const FigureSource& source, const 
             closed(loop));
   }
   map.script() << "# The inside of each loop of the data, in its colour; then the loops, dashed below zero.\nbands = \""
-               << listed(inside) << "\"\npositive = \"" << blocks_of(loops, false) << "\"\nnegative = \""
-               << blocks_of(loops, true) << "\"\n";
+               << listed(inside) << "\"\n";
   write_contour_levels(map.script(), loops, view.x, view.y);
   if (shown.traction)  // zero outside the contact
     map.script() << "set object rectangle from graph 0, graph 0 to graph 1, graph 1 fillcolor palette cb "
@@ -96,8 +100,7 @@ PictureText contour_map(const Figure& figure, const FigureSource& source, const 
   map.plot(
       "for [i = 1 : words(bands)] data index (i - 1) using 1:2 with filledcurves closed "
       "fillcolor palette cb real(word(bands, i)) notitle");
-  map.plot("for [i in positive] data index (int(i)) using 1:2 with lines lc rgb '#80000000' lw 0.7 notitle");
-  map.plot("for [i in negative] data index (int(i)) using 1:2 with lines lc rgb '#80000000' lw 1 dt (6,4) notitle");
+  for (const bool negative : {false, true}) plot_loops(map, loops, negative);
   if (shown.traction) map.blank_outside();
   map.draw_borders();
   return map.finished();

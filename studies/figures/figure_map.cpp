@@ -11,7 +11,7 @@ namespace rollres {
 namespace {
 
 constexpr int most_outline_nodes = 240;
-constexpr double left_edge = 84, lower_edge = 88, gap_above = 10;  // around the map [px]
+constexpr double lower_edge = 88, gap_above = 10;  // around the map [px]
 constexpr double right_edge = 540, right_edge_at_bar = 424;
 
 /// 1 where a zone is one of the wanted, blurred over the neighbours: its contour at 1/2 is the outline without the
@@ -166,10 +166,11 @@ void FigureMap::draw_borders() {
 
 PictureText FigureMap::finished() {
   const double right = bar_ ? right_edge_at_bar : right_edge;
-  const double height = (right - left_edge) * (view_.y.highest - view_.y.lowest) / (view_.x.highest - view_.x.lowest);
+  const double left = left_edge_for(view_.y);
+  const double height = (right - left) * (view_.y.highest - view_.y.lowest) / (view_.x.highest - view_.x.lowest);
   return PictureBuilder::finished(
       std::string(figure_.title),
-      {.height = std::round(gap_above + height + lower_edge), .left = left_edge, .right = right, .bottom = lower_edge});
+      {.height = std::round(gap_above + height + lower_edge), .left = left, .right = right, .bottom = lower_edge});
 }
 
 }  // namespace rollres

@@ -95,7 +95,8 @@ PictureText section_map(const Figure& figure, const FigureSource& source, const 
   picture.plot(picture.add("contact", columns, contact) + " using 1:2 with " + look + " notitle");
   picture.explain(LegendEntry::plain(look, "contact"));
   // To scale, unless that were too low for the numbers beside it.
-  constexpr double left = 84, right = 424, lower = 88, above = 10, lowest = 190;
+  constexpr double right = 424, lower = 88, above = 10, lowest = 190;
+  const double left = left_edge_for(z);
   const double to_scale = (right - left) * (z.highest - z.lowest) / (x.highest - x.lowest);
   const double height = std::max(to_scale, lowest);
   std::string subtitle = dimension_of(source.scene.indenter) == 3 ? "at y = " + readable(section.y, "m") : "";

@@ -241,6 +241,7 @@ class Film {
 }  // namespace
 
 FilmFiles draw_film(const FilmRequest& request, const std::filesystem::path& name) {
+  refuse_other_kind(name, {".gif", ".gp", ".dat"});
   const std::string suffix = name.extension().string();
   const bool ours = suffix == ".gif" || suffix == ".gp" || suffix == ".dat";
   const ChartFiles files = chart_files(ours ? std::filesystem::path(name).replace_extension() : name);

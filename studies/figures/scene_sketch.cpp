@@ -10,6 +10,7 @@
 #include "core/scene/layer_name.hpp"
 #include "studies/drawing/gnuplot.hpp"
 #include "studies/text/readable_number.hpp"
+#include "studies/text/words.hpp"
 
 namespace rollres {
 
@@ -365,7 +366,7 @@ class SceneSketch {
   }
 
   /// An arrow round the axis, clockwise as a body that rolls along +x turns.
-  void draw_turning(double centre, double r, const std::string& markup) {
+  void draw_turning(double centre, double r, const std::string& words, const std::string& markup) {
     constexpr int pieces = 40;
     std::vector<DataRow> rows;
     for (int i = 0; i <= pieces; ++i) {
@@ -376,7 +377,10 @@ class SceneSketch {
     picture_.plot(picture_.add("turning", "x, z [" + unit_.name + "]", rows) + " using 1:2 with lines lw 1.6 lc rgb '" +
                   std::string(ink) + "' notitle");
     arrow({before[0], before[1]}, {last[0], last[1]}, "head size screen 0.022,22 filled lw 1.6");
-    label("", {0.30 * r, centre - 0.42 * r}, "center", 16, markup);
+    // Clear of the arrow at its height, with half a letter to spare.
+    const double letter = 9.2 * pixel(), down = 0.42 * r;
+    const double room = std::sqrt(r * r - down * down) - letter - 0.5 * letter * static_cast<double>(width(words));
+    label("", {std::min(0.30 * r, room), centre - down}, "center", 16, markup);
   }
 
   void draw_motion() {
@@ -399,7 +403,7 @@ class SceneSketch {
     const double v_at = whole ? centre + 0.45 * r : axis;
     arrow({v_from, v_at}, {v_to, v_at}, motion);
     label(speed, {0.5 * (v_from + v_to), v_at + 18 * pixel()}, "center", 16, named("V", speed));
-    draw_skew({0.99 * half_width_, v_at});
+    draw_skew({0.99 * half_width_, v_at + 18 * pixel()});
     if (pressed_) return;
 
     const double drive = answered_ ? solution_.driving_force : RollingSolution::absent;
@@ -408,34 +412,51 @@ class SceneSketch {
     const bool backwards = drive < 0, at_top = scene_.drive == Drive::top_force;
     const double from = at_top ? 0.06 * reach : 0, to = from + 0.52 * reach, z = at_top ? peak : axis;
     arrow({backwards ? to : from, z}, {backwards ? from : to, z}, force);
-    if (at_top)
-      label("", {to + 0.05 * reach, z + (whole ? 0.0 : 12 * pixel())}, "left", 16, push);
+    if (at_top && whole)
+      label("", {to + 0.05 * reach, z}, "left", 16, push);
     else
       label("", {0.5 * (from + to) + 0.08 * reach, z + 18 * pixel()}, "center", 16, push);
     if (!whole) return;
-    std::string turning = gnuplot::symbol("Ω");
-    if (scene_.drive == Drive::torque && scene_.driving_torque)
-      turning = named("T", shown(*scene_.driving_torque, unit("driving_torque")));
-    else if (answered_ && std::isfinite(solution_.rotation_ratio))
-      turning = named("RΩ/V", short_number(solution_.rotation_ratio, 4));
+    std::string symbol = "Ω", value;
+    if (scene_.drive == Drive::torque && scene_.driving_torque) {
+      symbol = "T";
+      value = shown(*scene_.driving_torque, unit("driving_torque"));
+    } else if (answered_ && std::isfinite(solution_.rotation_ratio)) {
+      symbol = "RΩ/V";
+      value = short_number(solution_.rotation_ratio, 4);
+    }
     if (scene_.drive != Drive::rotation || scene_.rotation_ratio.value_or(1) != 0) {
-      draw_turning(centre, 0.72 * (r - coating_thickness()), turning);
+      draw_turning(centre, 0.72 * (r - coating_thickness()), symbol + (value.empty() ? "" : " = " + value),
+                   value.empty() ? gnuplot::symbol(symbol) : named(symbol, value));
     } else {
       label("locked", {0.2 * r, centre - 0.4 * r}, "center", 16);
     }
   }
 
-  /// The angle of a skewed cylinder's axle and the force along it, below the speed and left of a place.
-  void draw_skew(const Point& below) {
-    const auto tell = [&](std::string_view symbol, double found, std::optional<double> given, std::string_view key,
-                          int line) {
-      const double value = answered_ && std::isfinite(found) ? found : given.value_or(RollingSolution::absent);
-      if (!std::isfinite(value)) return;
-      const std::string words = shown(value, real_output(key).unit_for(body_of(scene_)));
-      label(words, {below[0], below[1] - 24 * line * pixel()}, "right", 16, named(symbol, words));
+  /// The angles by which the axle is turned and raised, and the force along it, above the speed and left of a place.
+  void draw_skew(const Point& above) {
+    std::vector<std::pair<std::string, std::string>> angles;
+    const auto add = [&](std::string_view symbol, double angle) {
+      if (!std::isfinite(angle) || angle == 0) return;
+      const std::string words = shown(angle, "rad");
+      angles.emplace_back(std::string(symbol) + " = " + words, named(symbol, words));
     };
-    tell("α", solution_.skew_angle, scene_.skew_angle, "skew_angle", 1);
-    tell("F_a", solution_.axial_force, scene_.axial_force, "axial_force", 2);
+    const auto found_or = [&](double found, std::optional<double> given) {
+      return answered_ && std::isfinite(found) ? found : given.value_or(RollingSolution::absent);
+    };
+    add("α", found_or(solution_.skew_angle, scene_.skew_angle));
+    add("γ", scene_.camber_angle);
+    int line = 0;
+    const auto write = [&](const std::string& words, const std::string& markup) {
+      label(words, {above[0], above[1] + 24 * ++line * pixel()}, "right", 16, markup);
+    };
+    if (!angles.empty())
+      write(joined(angles, ", ", [](const auto& angle) { return angle.first; }),
+            joined(angles, ", ", [](const auto& angle) { return angle.second; }));
+    if (const double force = found_or(solution_.axial_force, scene_.axial_force); std::isfinite(force)) {
+      const std::string words = shown(force, real_output("axial_force").unit_for(body_of(scene_)));
+      write(words, named("F_a", words));
+    }
   }
 
   /// A bar of a round length, in the lower right corner.

@@ -154,6 +154,11 @@ Design evaluate_design(const DesignProblem& problem, std::span<const double> poi
   for (std::size_t i = 0; i < scenes.size(); ++i) {
     const RollingSolution& solution = answered.solutions[i];
     design.keys.push_back(evaluation_key(scenes[i]));
+    for (const std::string& warning : solution.warnings)
+      if (std::find(design.warnings.begin(), design.warnings.end(), warning) == design.warnings.end())
+        design.warnings.push_back(warning);
+    if (!(std::abs(design.model_error) >= std::abs(solution.model_error)) && std::isfinite(solution.model_error))
+      design.model_error = solution.model_error;
     if (design.found() && solution.status != Status::converged)
       design.reason =
           place_of(problem, i) + (solution.reason.empty() ? std::string(name_of(solution.status)) : solution.reason);

@@ -131,6 +131,8 @@ struct Design {
   std::vector<ConstraintSides> constraints = {};  ///< as constraint_places, and last the bound
   std::string reason = {};                        ///< why there is no value; empty if there is one
   std::vector<std::string> keys = {};             ///< of the evaluations, one for each scene
+  std::vector<std::string> warnings = {};         ///< of the answers, each once
+  double model_error = RollingSolution::absent;   ///< of the answers, the largest [1]
 
   bool found() const { return reason.empty(); }
   bool feasible() const;  ///< has a value, and all constraints hold

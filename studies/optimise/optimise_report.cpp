@@ -8,6 +8,7 @@
 #include "studies/text/readable_number.hpp"
 #include "studies/text/table_json.hpp"
 #include "studies/text/table_output.hpp"
+#include "studies/text/value_and_error.hpp"
 #include "studies/text/words.hpp"
 
 namespace rollres {
@@ -16,10 +17,11 @@ namespace {
 
 Cell rough(double value) { return std::isfinite(value) ? Cell(short_number(value, 3)) : Cell(); }
 
-/// "0.71 +- 0.002"
+/// "0.71 +- 0.0021"
 Cell with_error(double value, double error) {
   if (!std::isfinite(value)) return {};
-  return short_number(value, 4) + (std::isfinite(error) ? " +- " + short_number(error, 1) : "");
+  const ValueAndError shown = value_and_error(value, error, "");
+  return shown.value + (std::isfinite(error) ? " +- " + shown.error : "");
 }
 
 std::string value_in_words(const DesignProblem& problem, const Variable& variable, double value) {
@@ -35,7 +37,8 @@ Json json_of(const DesignProblem& problem, const Design& design) {
   for (std::size_t i = 0; i < design.point.size(); ++i)
     variables[std::string(problem.variables[i].quantity.key)] = design.point[i];
   Json object = json_object("variables", variables, "value", design.value, "feasible", design.feasible(), "reason",
-                            design.reason, "keys", design.keys);
+                            design.reason, "keys", design.keys, "warnings", design.warnings, "model_error",
+                            design.model_error);
   if (problem.pareto) object["second"] = finite_or_null(design.second);
   return object;
 }
@@ -208,7 +211,11 @@ void print_text(const DesignProblem& problem, const OptimiseReport& report, std:
   if (report.best) {
     const Body body = problem.body();
     out << goal_in_words(problem, problem.goal) << ": " << readable(report.value(), unit_of(problem.goal.formula, body))
-        << "\n\n";
+        << '\n';
+    for (const std::string& warning : report.best->warnings) out << "warning  " << warning << '\n';
+    if (std::isfinite(report.best->model_error))
+      out << "what is assumed changes R_r by about " << percent(report.best->model_error, 2) << '\n';
+    out << '\n';
     write_aligned(out, variables_table(problem, report));
     out << '\n';
     if (!report.best->constraints.empty()) {

@@ -12,6 +12,7 @@
 #include "studies/text/readable_number.hpp"
 #include "studies/text/table_json.hpp"
 #include "studies/text/table_output.hpp"
+#include "studies/text/value_and_error.hpp"
 #include "studies/text/words.hpp"
 
 namespace rollres {
@@ -122,8 +123,9 @@ std::string prediction_summary(const FitRecord& fit, const FitPredictions& predi
           readable(quantity, input_at(predictions, i, key), quantity.unit_for(body_of(asked[i].scene.scene))));
     }
     const PredictedScene& one = predictions.values[i];
-    row.emplace_back(readable(one.value, unit));
-    row.emplace_back(readable(one.standard_error, unit));
+    const ValueAndError shown = value_and_error(one.value, one.standard_error, unit);
+    row.emplace_back(shown.value);
+    row.emplace_back(shown.error);
     row.emplace_back(std::isfinite(one.value) ? readable(one.lowest, unit) + " .. " + readable(one.highest, unit)
                                               : std::string("no answer"));
     if (measured) row.emplace_back(readable(asked[i].measured, unit));

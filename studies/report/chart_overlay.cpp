@@ -113,7 +113,7 @@ class Overlay {
       text += "\n" + (request_.family.name.empty() ? "" : request_.family.name + " ") + request_.curves[i].label;
     if (!request_.areas.empty() && point.area())
       text += "\n" + request_.areas + " ± " + short_number(0.5 * (point.high - point.low), 2);
-    if (!point.converged) text += "\nnot converged";
+    if (!point.converged) text += "\n" + request_.hollow;
     return text;
   }
 

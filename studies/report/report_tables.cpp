@@ -44,7 +44,7 @@ struct ResultColumn {
   }
   TableColumn head() const {
     const ChartAxis named = scale ? described(*column, *scale) : described(*column);
-    std::string words = named.name;
+    std::string words = named.name + (column->name == "error_estimate" ? " of R_r" : "");
     if (!named.symbol.empty()) words += " " + named.symbol;
     if (scale && !scale->unit.name.empty()) words += " [" + typeset_unit(scale->unit.name) + "]";
     return {words, scale.has_value()};
@@ -89,13 +89,16 @@ std::vector<ResultColumn> result_columns(const ReportSource& source) {
     const bool there = any_of(columns, [&](const auto& c) { return c.column == &column; });
     if (!there && columns.size() < most) columns.emplace_back(source, column);
   };
+  const auto add_named = [&](const std::string& key) {
+    for (const QuantityColumn* const column : source.rows.columns())
+      if (column->name == key) add(*column);
+  };
   for (const QuantityColumn* const axis : source.varied()) add(*axis);
+  for (const std::string& key : charted_numbers(source.definition, source.study.axes)) add_named(key);
   if (source.definition.compute.empty())
     for (const char* key : {"rolling_resistance", "rolling_resistance_coefficient", "approach", "peak_pressure"})
       add(output(key));
-  for (const std::string& key : source.definition.compute)
-    for (const QuantityColumn* const column : source.rows.columns())
-      if (column->name == key) add(*column);
+  for (const std::string& key : source.definition.compute) add_named(key);
   add(output("error_estimate"));
   return columns;
 }

@@ -33,6 +33,8 @@ struct BodyColumns {
   }
 };
 
+constexpr const char* feasible_key = "feasible";
+
 FormulaDefinitions formulas_of(ResultStore& store, const std::string& study) {
   return definition_in(store.definition(study).value_or(""), store.database().name() + ": " + study).formulas;
 }
@@ -86,6 +88,9 @@ void StudyRows::read(ResultStore& store, const std::string& study, const std::ve
   convert_to_si(query.filters, formulas);
   for (const QuantityColumn* const column : columns_) query.columns.push_back(column->name);
   query.columns.emplace_back(study_key);
+  const bool designs = !definition_in(store.definition(study).value_or(""), store.database().name()).goals.empty();
+  if (designs && column_names(store.database().connection(), "result").contains(feasible_key))
+    query.columns.emplace_back(feasible_key);
   table_ = run_column_query(store.database(), query);
   for (std::size_t i = 0; i < table_.names.size(); ++i) places_[table_.names[i]] = i;
   if (table_.rows > 0) return;
@@ -141,6 +146,11 @@ std::string StudyRows::text(std::size_t row, const char* key) const {
 
 bool StudyRows::converged(std::size_t row) const {
   return cell(row, *find_quantity_column("status")) == Cell(std::string(name_of(Status::converged)));
+}
+
+bool StudyRows::breaks_constraint(std::size_t row) const {
+  const auto place = places_.find(feasible_key);
+  return place != places_.end() && table_.columns[place->second][row] == Cell(std::int64_t{0});
 }
 
 std::vector<Cell> StudyRows::values(const Column& column) const { return cells(column).values(); }

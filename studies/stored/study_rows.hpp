@@ -57,6 +57,7 @@ class StudyRows {
   double number(std::size_t row, const char* key) const;       ///< of an output
   std::string text(std::size_t row, const char* key) const;    ///< of an output; empty if absent
   bool converged(std::size_t row) const;
+  bool breaks_constraint(std::size_t row) const;         ///< of an optimisation; else never
   std::vector<Cell> values(const Column& column) const;  ///< each once, in order
   /// The value that all rows share; none if they differ, or it is absent.
   std::optional<Cell> common(const Column& column) const;

@@ -262,6 +262,12 @@ ChartRequest profile(const FitRecord& fit, const FitParameterRecord& parameter,
   return request;
 }
 
+/// A value, moved to the limits of the parameter where it lies beyond them, as its intervals are.
+double within_limits(const FitParameterRecord& one, double value) {
+  if (value < one.lowest) return one.lowest;
+  return value > one.highest ? one.highest : value;
+}
+
 /// Where both parameters together lie in 95 % of all cases: chi squared of two degrees of freedom.
 ChartRequest ellipse(const FitRecord& fit, const FitParameterRecord& first, const FitParameterRecord& second,
                      double correlation) {
@@ -271,8 +277,8 @@ ChartRequest ellipse(const FitRecord& fit, const FitParameterRecord& first, cons
   for (int i = 0; i <= pieces; ++i) {
     const double angle = 2 * std::numbers::pi * i / pieces, u = std::cos(angle);
     const double v = correlation * u + std::sqrt(1 - correlation * correlation) * std::sin(angle);
-    xs.push_back(moved(first, reach * u));
-    ys.push_back(moved(second, reach * v));
+    xs.push_back(within_limits(first, moved(first, reach * u)));
+    ys.push_back(within_limits(second, moved(second, reach * v)));
   }
   const FitAxis x({.name = in_words(first.name), .unit = first.unit}, xs),
       y({.name = in_words(second.name), .unit = second.unit}, ys);

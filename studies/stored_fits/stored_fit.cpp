@@ -12,6 +12,7 @@
 #include "studies/text/readable_number.hpp"
 #include "studies/text/table_json.hpp"
 #include "studies/text/table_output.hpp"
+#include "studies/text/value_and_error.hpp"
 #include "studies/text/words.hpp"
 
 namespace rollres {
@@ -129,10 +130,18 @@ Json axis_json(const std::string& name, const std::string& unit, bool logarithmi
   return name.empty() ? Json(nullptr) : Json{{"name", name}, {"unit", unit}, {"logarithmic", logarithmic}};
 }
 
-/// "3 solved, 12 recalled, 0 failed"
+/// "16: 3 scenes solved, 12 recalled, 1 repeated; 0 failed, in 0:02"; of a material, which needs no scenes, "101: 0
+/// failed, in 0:02".
 std::string evaluations_in_words(const FitRecord& fit) {
-  return std::to_string(fit.evaluations) + ": " + (fit.solved < 0 ? "" : std::to_string(fit.solved) + " solved, ") +
-         std::to_string(fit.recalled) + " recalled, " + std::to_string(fit.failures) + " failed, in " +
+  std::string scenes;
+  if (fit.solved > 0 || fit.recalled > 0) {
+    const std::int64_t repeated = fit.evaluations - fit.solved - fit.recalled;
+    if (fit.solved >= 0) scenes = std::to_string(fit.solved) + " scenes solved, ";
+    scenes += std::to_string(fit.recalled) + " recalled";
+    if (fit.solved >= 0 && repeated > 0) scenes += ", " + std::to_string(repeated) + " repeated";
+    scenes += "; ";
+  }
+  return std::to_string(fit.evaluations) + ": " + scenes + std::to_string(fit.failures) + " failed, in " +
          duration_in_words(fit.seconds);
 }
 
@@ -166,8 +175,8 @@ Table fit_parameter_table(const FitRecord& fit) {
   Table table{{"parameter", "value", "+-", "relative", "95 % linear", "95 % profile", "start", "flag"}, {}};
   for (const FitParameterRecord& p : fit.parameters) {
     const bool linear = !std::isnan(p.linear_lowest) || !std::isnan(p.linear_highest);
-    table.rows.push_back({p.name, readable(p.value, p.unit), readable(p.standard_error, p.unit),
-                          percent(p.relative_error),
+    const ValueAndError shown = value_and_error(p.value, p.standard_error, p.unit);
+    table.rows.push_back({p.name, shown.value, shown.error, percent(p.relative_error),
                           linear ? interval_in_words(p.linear_lowest, p.linear_highest, p.unit) : "-",
                           p.profile_low.empty() ? "-" : interval_in_words(p.profile_lowest, p.profile_highest, p.unit),
                           readable(p.start, p.unit), p.flag});

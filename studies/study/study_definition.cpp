@@ -81,6 +81,20 @@ const StudyChart& StudyDefinition::chart(const std::string& name, const std::str
   throw std::invalid_argument(place + ": chart = " + name + ": must be one of " + joined(names));
 }
 
+std::vector<std::string> charted_numbers(const StudyDefinition& definition, const std::vector<std::string>& axes) {
+  std::vector<std::string> names;
+  const auto holds = [](const auto& list, const std::string& name) {
+    return std::find(list.begin(), list.end(), name) != list.end();
+  };
+  for (const StudyChart& chart : definition.charts)
+    for (const std::string& name : {chart.y, chart.map, chart.x}) {
+      const bool formula = std::any_of(definition.formulas.begin(), definition.formulas.end(),
+                                       [&](const auto& one) { return one.first == name; });
+      if ((formula || holds(output_keys(), name)) && !holds(axes, name) && !holds(names, name)) names.push_back(name);
+    }
+  return names;
+}
+
 std::string title_of_study(const StudyDefinition& definition, const std::string& name) {
   constexpr std::size_t most_letters = 96;
   std::string title = definition.comment.empty() ? name : definition.comment;

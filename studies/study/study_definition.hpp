@@ -34,6 +34,9 @@ struct StudyDefinition {
   std::vector<std::string> chart_names() const;
 };
 
+/// The outputs and formulas that the charts of the file show, each once. @param axes  of the study: they are left out
+std::vector<std::string> charted_numbers(const StudyDefinition& definition, const std::vector<std::string>& axes);
+
 /// What a picture of the study is called: its comment, without what follows the first clause where it is long; without
 /// a comment its name.
 std::string title_of_study(const StudyDefinition& definition, const std::string& name);

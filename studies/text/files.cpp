@@ -4,6 +4,9 @@
 #include <iconv.h>
 #include <unistd.h>
 
+#include <algorithm>
+#include <array>
+#include <cctype>
 #include <cerrno>
 #include <fstream>
 #include <iterator>
@@ -117,6 +120,21 @@ void write_file(const std::filesystem::path& file, std::string_view content) {
   if (why.empty()) return;
   std::filesystem::remove(part, error);
   fail(file, "cannot be written", why);
+}
+
+void refuse_other_kind(const std::filesystem::path& file, std::initializer_list<std::string_view> possible) {
+  constexpr std::array<std::string_view, 20> kinds{".svg",  ".png", ".gif",  ".pdf",  ".ps",   ".eps", ".jpg",
+                                                   ".jpeg", ".tif", ".tiff", ".bmp",  ".webp", ".emf", ".wmf",
+                                                   ".html", ".htm", ".doc",  ".docx", ".xls",  ".xlsx"};
+  std::string ending = file.extension().string();
+  for (char& letter : ending) letter = static_cast<char>(std::tolower(static_cast<unsigned char>(letter)));
+  if (std::find(kinds.begin(), kinds.end(), ending) == kinds.end()) return;
+  std::string list;
+  for (const std::string_view one : possible) {
+    if (ending == one) return;
+    list += (list.empty() ? "" : ", ") + std::string(one);
+  }
+  throw std::invalid_argument(file.string() + ": " + ending + " cannot be written; possible: " + list);
 }
 
 void make_directory(const std::filesystem::path& directory) {

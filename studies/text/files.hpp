@@ -4,6 +4,7 @@
 
 #include <cstddef>
 #include <filesystem>
+#include <initializer_list>
 #include <string>
 #include <string_view>
 
@@ -21,6 +22,11 @@ std::string content_of(const std::filesystem::path& file);
 /// and the file it leads to is replaced; a device or a pipe is written to.
 /// @throws std::runtime_error with the path and the system's words; the old file is then still there
 void write_file(const std::filesystem::path& file, std::string_view content);
+
+/// Refuses a name whose ending tells another kind of picture or document than those that can be written.
+/// @param possible  endings: ".svg"
+/// @throws std::invalid_argument naming both
+void refuse_other_kind(const std::filesystem::path& file, std::initializer_list<std::string_view> possible);
 
 /// Creates a directory and those above it.
 /// @throws std::runtime_error with the path and the system's words

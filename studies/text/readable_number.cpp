@@ -1,4 +1,5 @@
 #include "studies/text/readable_number.hpp"
+#include "studies/text/value_and_error.hpp"
 
 #include <algorithm>
 #include <array>
@@ -45,6 +46,21 @@ std::string readable(double value, std::string_view unit) {
 std::string readable(const Quantity& quantity, double value, std::string_view unit) {
   if (!std::isfinite(value) || unit != "K" || !is_temperature(quantity.key)) return readable(value, unit);
   return short_number(celsius().number(value), shown_digits) + ' ' + celsius().name;
+}
+
+ValueAndError value_and_error(double value, double error, std::string_view unit) {
+  if (!std::isfinite(value) || !std::isfinite(error) || !(error > 0))
+    return {readable(value, unit), readable(error, unit)};
+  const ScaledUnit scaled = scaled_unit(unit, value == 0 ? error : value);
+  const double size = std::abs(value / scaled.factor), rounded = to_digits(error / scaled.factor, 2);
+  const double last = std::pow(10.0, std::floor(std::log10(rounded)) - 1);  // worth of the error's last digit
+  const auto digits =
+      size < last ? 1.0 : std::clamp<double>(std::floor(std::log10(size / last) + 1e-9) + 1, 1, shown_digits);
+  const double shown = size < last ? std::round(value / scaled.factor / last) * last : value / scaled.factor;
+  const auto with_unit = [&](const std::string& number) {
+    return scaled.name.empty() ? number : number + ' ' + scaled.name;
+  };
+  return {with_unit(short_number(shown, static_cast<int>(digits))), with_unit(short_number(rounded, 2))};
 }
 
 double to_digits(double value, int digits) {

@@ -62,7 +62,8 @@ TEST_CASE("a map has a study's two longest axes, and marks the peak inside", "[s
   CHECK(turned.request.y.name == "speed");
 }
 
-TEST_CASE("a map is blank around a point without an answer and marks it, and grey where there is no steady state", "[studies][chart]") {
+TEST_CASE("a map is blank around a point without an answer and marks it, and grey where there is no steady state",
+          "[studies][chart]") {
   const TemporaryDirectory scratch;
   const Evaluate failing = [](const RollingScene& scene) {
     if (scene.speed == 1 && *scene.load == 2e4) throw std::runtime_error("no");
@@ -86,7 +87,8 @@ TEST_CASE("a map is blank around a point without an answer and marks it, and gre
       {"chart", "--db", file, "--map", "rolling_resistance", "--out", (scratch / "map").string()}, closed_form);
   CHECK(run.status == 0);
   CHECK_THAT(run.err, Contains("7 of 15 points have no answer"));
-  CHECK_THAT(file_text(scratch / "map.svg"), Contains("no answer") && Contains("not converged") && Contains("no steady state"));
+  CHECK_THAT(file_text(scratch / "map.svg"),
+             Contains("no answer") && Contains("not converged") && Contains("no steady state"));
 }
 
 TEST_CASE("a study file asks for a map as for any chart", "[studies][chart]") {
@@ -104,7 +106,7 @@ TEST_CASE("a study file asks for a map as for any chart", "[studies][chart]") {
   REQUIRE(sweep(R"({"name": "hill", "map": "rolling_resistance", "x": "load", "y": "speed"})").status == 0);
   const ProgramRun all = run_rollres({"chart", "--db", file, "--chart", "all"}, hill);
   CHECK(all.err.empty());
-  CHECK_THAT(all.out, Contains("peak: rolling resistance 200 N/m at load 20 kN/m, speed 1 m/s\n"));
+  CHECK_THAT(all.out, Contains("largest of the points: rolling resistance 200 N/m at load 20 kN/m, speed 1 m/s\n"));
   CHECK_THAT(file_text(scratch / "mapped_hill.svg"), Contains("peak 200 N/m"));
   const ProgramRun curves = run_rollres({"chart", "--db", file, "--chart", "hill", "--x", "speed"}, hill);
   CHECK(curves.status == 0);
@@ -142,7 +144,7 @@ TEST_CASE("the optimum of an optimisation is drawn into the map of the same inpu
                                      closed_form);
   CHECK(run.err.empty());
   CHECK(run.status == 0);
-  CHECK_THAT(run.out, Contains("peak: rolling resistance 200 N/m at speed 1 m/s, load 20 kN/m\n") &&
+  CHECK_THAT(run.out, Contains("largest of the points: rolling resistance 200 N/m at speed 1 m/s, load 20 kN/m\n") &&
                           Contains("best: greatest rolling resistance: at speed"));
   CHECK_THAT(file_text(scratch / "map.svg"), Contains("designs looked at"));
   // What breaks either constraint has a hatch of its own.

@@ -50,6 +50,31 @@ TEST_CASE("rollres optimise prints the optimum, stores its evaluations as a stud
             .status == 0);
 }
 
+TEST_CASE("an optimum is told with the warnings and the model error of its answers, and broken designs are hollow",
+          "[studies][optimise]") {
+  const TemporaryDirectory folder;
+  const std::string db = folder / "results.db";
+  std::string file = bowl_study;
+  file.replace(file.find(">= 1 Pa"), 7, ">= 1.2 Pa");
+  const std::string study = folder.write("bowl.json", file + "}");
+  const auto doubtful = [](const RollingScene& scene) {
+    RollingSolution solution = Bowl::solve(scene);
+    solution.warnings = {"linear layer: 12 % off"};
+    solution.model_error = 0.12;
+    return solution;
+  };
+  const ProgramRun text = run_rollres({"optimise", study, "--db", db}, doubtful);
+  CHECK(text.status == 0);
+  CHECK_THAT(text.out, Contains("\nwarning  linear layer: 12 % off\n") &&
+                           Contains("what is assumed changes R_r by about 12 %\n"));
+  const json best = json::parse(run_rollres({"optimise", study, "--db", db, "--json"}, doubtful).out)["best"];
+  CHECK(best["warnings"] == json{"linear layer: 12 % off"});
+  CHECK(best["model_error"] == 0.12);
+  REQUIRE(run_rollres({"chart", "--db", db, "--out", folder / "designs"}, doubtful).status == 0);
+  CHECK_THAT(file_text(folder / "designs.svg"), Contains("breaks a constraint"));
+  CHECK_THAT(file_text(folder / "designs.dat"), Contains("column 3: 0 if it breaks a constraint, else 1"));
+}
+
 TEST_CASE("rollres show of an optimisation begins with its best design, and knows the evaluations that it names",
           "[studies][optimise][show]") {
   const TemporaryDirectory folder;

@@ -60,6 +60,37 @@ class StudiedWithFields {
 
 }  // namespace
 
+TEST_CASE("the CSV and the JSON of one study have its formulas, and show and report what its chart shows",
+          "[studies][commands]") {
+  const TemporaryDirectory folder;
+  const std::string db = (folder / "a.db").string();
+  const std::string study = folder.write("study.json", R"({"study": "belt",
+      "scene": {"indenter": "cylinder", "radius": "10 cm", "layer_thickness": "1 cm", "static_shear_modulus": "1 MPa",
+                "stiffening": 2, "creep_time": 0.1, "friction_coefficient": 0.3, "speed": 1, "load": 1e4},
+      "compute": [{"double_force": "2 * rolling_resistance"}],
+      "axes": {"speed": [0.1, 0.5]}, "chart": {"y": "contact_nodes"}})");
+  const auto estimated = [](const RollingScene& scene) {
+    RollingSolution solution = closed_form(scene);
+    solution.error_estimate = 1e-3;
+    return solution;
+  };
+  const auto run = [&](std::vector<std::string> words) {
+    words.insert(words.begin() + 1, {"--db", db});
+    return run_rollres(words, estimated).out;
+  };
+  run({"sweep", study});
+  const std::string csv = run({"query", "study=belt", "--format", "csv"});
+  CHECK(csv.substr(0, csv.find('\n')).ends_with(",double_force"));
+  CHECK(Json::parse(run({"query", "study=belt", "--format", "json"}))[0].contains("double_force"));
+  const std::string plain = run({"query", "--format", "csv"});
+  CHECK(plain.substr(0, plain.find('\n')).find("double_force") == std::string::npos);
+  CHECK(run({"show", "belt"}).find("contact_nodes") != std::string::npos);
+  run({"report", "--out", (folder / "belt.html").string()});
+  const std::string report = file_text(folder / "belt.html");
+  CHECK(report.find("contact nodes") < report.find("double force"));
+  CHECK(report.find("error estimate of R_r") != std::string::npos);
+}
+
 TEST_CASE("query groups rows and prints one line for each group", "[studies][commands]") {
   const StudiedWithFields studied;
   CHECK(studied

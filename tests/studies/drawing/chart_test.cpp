@@ -10,6 +10,7 @@
 #include "studies/drawing/chart_frame.hpp"
 #include "studies/drawing/colour_map.hpp"
 #include "studies/drawing/gnuplot.hpp"
+#include "studies/drawing/peak_values.hpp"
 #include "tests/catch.hpp"
 #include "tests/plain_scene.hpp"
 #include "tests/studies/temporary_directory.hpp"
@@ -95,15 +96,56 @@ TEST_CASE("the peak of a curve lies between lower converged points", "[studies][
 
   const std::string script = chart_script(two_loads(), chart_files("chart"));
   CHECK_THAT(script, Contains("set label '140' at graph 0.333"));
-  CHECK_THAT(script, Contains("data index 0 every ::1::1 using 1:2 with points pt 6"));
-  CHECK_THAT(script, !Contains("data index 1 every"));
+  CHECK_THAT(script, Contains("set label '' at first 0.1, first 140 point pt 6"));  // the points allow no better
+  CHECK(script.find("point pt 6") == script.rfind("point pt 6"));
+}
+
+TEST_CASE("a peak between smooth points is found on the scale of the axis, with the digits that they support",
+          "[studies][chart]") {
+  ChartRequest request = two_loads();
+  request.curves = {{"", {}}};
+  const auto bell = [](double speed) { return 6.14 / (1 + 0.5 * std::pow(std::log(speed / 0.9), 2)); };
+  for (const double speed : {0.1, 0.18, 0.33, 0.6, 1.08, 1.95, 3.5})
+    request.curves[0].points.push_back({speed, bell(speed)});
+  const auto top = curve_peak(request.curves[0], chart_spans(request));
+  REQUIRE(top);
+  CHECK(std::abs(top->y - 6.14) < 0.5 * std::abs(bell(1.08) - 6.14));
+  CHECK(std::abs(std::log(top->x / 0.9)) < 0.1 * std::log(1.08 / 0.9));
+  CHECK(std::abs(std::stod(top->y_text()) - 6.14) < 0.1);
+  CHECK(top->y_text().size() <= 4);
+
+  request.curves[0].points = {{0.1, 1}, {0.3, 1.1}, {1, 5}, {3, 3}, {10, 2.9}};  // a corner: the largest point
+  const auto corner = curve_peak(request.curves[0], chart_spans(request));
+  REQUIRE(corner);
+  CHECK(corner->x == 1);
+  CHECK(corner->y == 5);
+  CHECK(corner->y_text() == "5");
+}
+
+TEST_CASE("a plot with an edge of its own keeps room for the numbers and the label of its y axis", "[studies][chart]") {
+  CHECK(left_edge_for({-6, 0}) == 84);
+  const double left = left_edge_for({-0.32, 0.05});
+  CHECK(left > 84);
+  const auto script = [&](const Span& x) {
+    PictureBuilder picture("map", chart_files("map"), {"along", "x", "m"}, x, {"force over load"}, {-0.32, 0.05});
+    picture.plot("data index 0 using 1:2 with lines notitle");
+    return picture.finished("map", {.left = left, .right = 424}).script;
+  };
+  CHECK_THAT(script({0, 5}), Contains("unset ylabel\nset label 'force over load'") && !Contains("set xtics"));
+  CHECK_THAT(script({-240, 240}), Contains("set xtics 100\n"));  // those of gnuplot, 50 apart, would touch
+}
+
+TEST_CASE("names of charts that end as other pictures or documents do are refused", "[studies][chart]") {
+  CHECK_THROWS_WITH(chart_files("z.pdf"), "z.pdf: .pdf cannot be written; possible: .svg, .png, .gp, .dat");
+  CHECK_THROWS_WITH(chart_files("z.JPG"), Contains(".jpg cannot be written"));
+  CHECK(chart_files("load 1.5").svg == "load 1.5.svg");
 }
 
 TEST_CASE("the value of a peak has as many digits as its axis tells apart", "[studies][chart]") {
   ChartRequest request = two_loads();
-  request.curves = {{"", {{0.01, 1.0371}, {0.1, 1.0853}, {1, 1.0568}}}};
+  request.curves = {{"", {{0.01, 1.0371}, {0.1, 1.0853}, {1, 1.0371}}}};
   CHECK_THAT(chart_script(request, chart_files("chart")), Contains("set label '1.085'"));
-  request.curves = {{"", {{0.01, 0}, {0.1, 1.0853}, {1, 0.5}}}};
+  request.curves = {{"", {{0.01, 0}, {0.1, 1.0853}, {1, 0}}}};
   CHECK_THAT(chart_script(request, chart_files("chart")), Contains("set label '1.09'"));
 }
 

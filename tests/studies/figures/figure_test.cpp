@@ -153,6 +153,16 @@ TEST_CASE("figures 6, 7 and 9: tractions have the paper's ranges and signs", "[s
   }
 }
 
+TEST_CASE("a contour map without loops above or below zero has no loop over them, which gnuplot goes through once",
+          "[studies][figure]") {
+  RollingScene deep = paper_sphere();  // of a half-space nothing rises beside the contact
+  deep.layer_thickness = INFINITY;
+  const std::string script = contour_map(figure(10), source_of(deep), no_files).script;
+  CHECK(script.find("positive") == std::string::npos);
+  CHECK(script.find("for [i in negative]") != std::string::npos);
+  CHECK(contour_map(figure(10), sphere_source(), no_files).script.find("for [i in positive]") != std::string::npos);
+}
+
 TEST_CASE("figure 10: w is -0.22 and -0.12 mm at the two ends of the contact, and positive farther out",
           "[studies][figure]") {
   const SurfaceFields& fields = sphere_source().surface;

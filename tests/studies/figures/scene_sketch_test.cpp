@@ -71,6 +71,29 @@ TEST_CASE("a sketch names radius, thickness, load, speed and drive with their va
   CHECK_THAT(scene_sketch(wide, solve(wide), "a scene", sketch_files).script, Contains("{/:Italic P} = 2 kN "));
 }
 
+TEST_CASE("a sketch names the angles of a turned axle that are not zero, above the speed and clear of the body",
+          "[studies][figure]") {
+  RollingScene sphere = paper_sphere();
+  sphere.camber_angle = 20 * M_PI / 180;
+  RollingSolution answer;
+  answer.skew_angle = 0;
+  std::string script = scene_sketch(sphere, answer, "a scene", sketch_files).script;
+  CHECK_THAT(script, Contains("{/:Italic γ} = 20 °") && !Contains("{/:Italic α}"));
+  RollingScene idler = gridless();
+  idler.skew_angle = 0.1;
+  idler.axial_force = -1.109e3;
+  script = scene_sketch(idler, RollingSolution(), "a scene", sketch_files).script;
+  const auto height = [&](const std::string& words) {
+    double x = 0, z = 0;
+    const std::size_t place = script.find(" at ", script.find("set label '" + words));
+    REQUIRE(std::sscanf(script.c_str() + place, " at %lf,%lf", &x, &z) == 2);
+    return z;
+  };
+  const double speed = height("{/:Italic V}");
+  CHECK(height("{/:Italic α} = 5.73 °") > speed);
+  CHECK(height("{/:Italic F}_{a}") > height("{/:Italic α} = 5.73 °"));
+}
+
 TEST_CASE("of a coated wheel on a hard floor the coating is drawn flat, of a layer the layer is dented",
           "[studies][figure]") {
   RollingScene wheel = gridless();

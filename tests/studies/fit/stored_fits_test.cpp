@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <nlohmann/json.hpp>
 #include <sstream>
 
@@ -7,6 +8,7 @@
 #include "studies/fit/fit_record.hpp"
 #include "studies/stored_fits/fit_chart.hpp"
 #include "studies/stored_fits/stored_comparison.hpp"
+#include "studies/stored_fits/stored_fit.hpp"
 #include "tests/catch.hpp"
 #include "tests/fitting/measured_hunter.hpp"
 #include "tests/source_directory.hpp"
@@ -60,6 +62,39 @@ TEST_CASE("two stored fits agree where their logarithms differ by less than 1.96
   CHECK_FALSE(none.same_data);
   CHECK(none.only_first == std::vector<std::string>{"creep_time"});
   CHECK_THAT(stored_comparison_summary(none), Contains("of other data") && Contains("only in c: stiffening"));
+}
+
+TEST_CASE("the ellipse of two parameters ends at their limits, as their intervals do", "[studies][fit][chart]") {
+  FitRecord fit = plain_fit("a fit", 1, 0.03);
+  fit.parameters.push_back({.name = "G_1", .unit = "Pa", .value = 1e6, .standard_error = 1e6});
+  FitParameterRecord& modulus = fit.parameters.back();
+  modulus.relative_error = 1;
+  modulus.lowest = 0;
+  fit.correlations.push_back({"creep_time", "G_1", 0.5});
+  const auto charts = fit_charts(fit);
+  const auto chart = std::find_if(charts.begin(), charts.end(), [](const auto& one) { return one.name == "ellipse"; });
+  REQUIRE(chart != charts.end());
+  double least = 1, most = 0;
+  for (const ChartPoint& point : chart->request.curves.front().points) {
+    least = std::min(least, point.y);
+    most = std::max(most, point.y);
+  }
+  CHECK(least == 0);
+  CHECK(most > 3);  // [MPa]
+}
+
+TEST_CASE("the counts of a fit's evaluations add up", "[studies][fit]") {
+  const auto told = [](std::int64_t evaluations, std::int64_t solved, std::int64_t recalled) {
+    FitRecord fit = plain_fit("a fit", 1, 0.03);
+    fit.evaluations = evaluations;
+    fit.solved = solved;
+    fit.recalled = recalled;
+    fit.failures = 0;
+    return fit_statistics(fit).back().second;
+  };
+  CHECK_THAT(told(1961, 1814, 100), Contains("1961: 1814 scenes solved, 100 recalled, 47 repeated; 0 failed, in "));
+  CHECK_THAT(told(15, 3, 12), Contains("15: 3 scenes solved, 12 recalled; 0 failed, in "));
+  CHECK_THAT(told(101, 0, 0), Catch::StartsWith("101: 0 failed, in "));  // of a material
 }
 
 TEST_CASE("what each value was measured at is stored, drawn and exported", "[studies][fit][chart]") {

@@ -356,6 +356,8 @@ TEST_CASE("rollres report refuses what it cannot report", "[studies][report]") {
   CHECK(run({"--db", file, "--study", "sped and load", "--out", out}).status == 2);
   CHECK(run({"--db", file, "--out", out, "--rows", "0"}).status == 2);
   CHECK(run({"--db", file, "--out", ""}).status == 2);
+  CHECK_THAT(run({"--db", file, "--out", (scratch / "report.pdf").string()}).err,
+             Contains("report.pdf: .pdf cannot be written; possible: .html, .htm"));
   CHECK_THAT(run({"--db", file, "--out", out, "--optimum", "speed and load"}).err, Contains("is no optimisation"));
   CHECK(run({"--db", (scratch / "none.db").string(), "--out", out}).status == 3);
   CHECK(run({"--db", file, "--out", (scratch / "results.db" / "report.html").string()}).status == 3);

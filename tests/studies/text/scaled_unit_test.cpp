@@ -1,5 +1,8 @@
 
+#include <cmath>
+
 #include "studies/text/readable_number.hpp"
+#include "studies/text/value_and_error.hpp"
 #include "tests/catch.hpp"
 
 using namespace rollres;
@@ -16,6 +19,20 @@ TEST_CASE("the prefix of a unit puts its number between 1 and 1000", "[studies][
   CHECK(scaled_unit("kg/m3", 1000).name == "kg/m3");
   CHECK(scaled_unit("rad/s", 2000).name == "rad/s");
   CHECK(scaled_unit("1", 1e-9).name.empty());
+}
+
+TEST_CASE("a value beside its error has the digits of the error, and both one unit", "[studies][scaled_unit]") {
+  const auto shown = [](double value, double error, const char* unit) {
+    const ValueAndError both = value_and_error(value, error, unit);
+    return both.value + " +- " + both.error;
+  };
+  CHECK(shown(15.199, 2.7, "N/m") == "15.2 N/m +- 2.7 N/m");
+  CHECK(shown(1.6947e6, 267.38e3, "Pa") == "1.69 MPa +- 0.27 MPa");
+  CHECK(shown(0.982564, 0.441931, "") == "0.98 +- 0.44");
+  CHECK(shown(0.003, 0.44, "") == "0 +- 0.44");
+  CHECK(shown(3.2317, 1e-9, "") == "3.2317 +- 1e-09");
+  CHECK(shown(1234, 560, "N/m") == "1.23 kN/m +- 0.56 kN/m");
+  CHECK(shown(2.5, NAN, "m") == "2.5 m +- -");
 }
 
 TEST_CASE("a square takes the square of its prefix", "[studies][scaled_unit]") {
