@@ -72,7 +72,11 @@ std::string doubt_of(const Quantity& quantity, double value) {
 }
 
 std::string doubt_of_measured(std::string_view unit, double value) {
-  return doubt_in_quotes(meant_unit({}, unit, value, Use::limit), unit, value);
+  return doubt_of_filter({.key = {}, .symbol = {}, .unit = unit, .meaning = {}}, value);
+}
+
+std::string doubt_of_filter(const Quantity& quantity, double value) {
+  return doubt_in_quotes(meant_unit(quantity, quantity.unit, value, Use::limit), quantity.unit, value);
 }
 
 std::string doubt_of_limit(const Quantity& quantity, std::string_view unit, double value) {

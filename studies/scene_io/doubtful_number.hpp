@@ -21,6 +21,9 @@ std::string doubt_of(const Quantity& quantity, double value);
 std::string doubt_of_measured(std::string_view unit, double value);
 
 /// The same of a limit that such a number is compared with, in a formula, of inputs and of answers; stresses, too.
+/// The same of a value that inputs and answers of stored rows are compared with; stresses, too.
+std::string doubt_of_filter(const Quantity& quantity, double value);
+
 /// @param unit  of the quantity, for the body
 std::string doubt_of_limit(const Quantity& quantity, std::string_view unit, double value);
 
