@@ -106,7 +106,7 @@ template <class Value>
 void check_range(const std::string& owner, const Quantity& quantity, const Value& value, BrokenRules& broken) {
   const auto key = [&] { return owner + std::string(quantity.key); };
   const auto check_number = [&](const auto& number, const std::string& place) {
-    if (!quantity.range.contains(number)) return broken.add(key() + place, number, quantity.range.rule());
+    if (!quantity.range.contains(number)) return broken.add(key() + place, number, quantity.rule());
     const double size = std::abs(static_cast<double>(number));
     const std::optional<Range> sizes = plausible(quantity.unit);
     if (sizes && size != 0 && std::isfinite(size) && !sizes->contains(size))

@@ -38,9 +38,12 @@ enum class Use { input, limit };
 /// @param unit  of the quantity, for the body
 std::string_view meant_unit(const Quantity& quantity, std::string_view unit, double value, Use use) {
   constexpr double long_one = 1, soft = 1e3, cold = 150;  // [m], [Pa], [K]
+  constexpr double turned = 0.35, of_no_polymer = 1e3;    // [rad], [J/mol]
   if (!std::isfinite(value)) return "";
   if (unit == "m") return value > long_one ? "mm" : "";
   if (temperature(quantity)) return value < cold ? "degC" : "";
+  if (unit == "rad") return std::abs(value) > turned ? "deg" : "";
+  if (unit == "J/mol") return value > 0 && value < of_no_polymer ? "kJ/mol" : "";
   const std::string_view own = own_key(quantity.key);
   if (!modulus(own) && !(use == Use::limit && unit == "Pa")) return "";
   const bool of_series = modulus(own) && own.find('[') != std::string_view::npos;  // as small as one likes

@@ -73,7 +73,7 @@ std::vector<double> numbers(const SceneEntry& entry, const Quantity& quantity, B
   for (const Json& item : entry.value) {
     const SceneEntry single{entry.key + "[" + std::to_string(values.size()) + "]", item, entry.place};
     values.push_back(number(single, quantity, body));
-    if (!quantity.range.contains(values.back())) refuse(single.place, single.key, item, quantity.range.rule());
+    if (!quantity.range.contains(values.back())) refuse(single.place, single.key, item, quantity.rule());
   }
   const std::size_t telling = telling_place(quantity, values);
   if (const Json& item = entry.value[telling]; item.is_number())
@@ -250,7 +250,7 @@ InputValue input_value(const SceneEntry& entry, const InputKind& kind, Body body
   if (!whole) fail("must be a whole number");
   if (entry.value.is_number())
     if (const std::string doubt = doubt_of(kind.quantity, value); !doubt.empty()) fail(doubt);
-  if (!kind.quantity.range.contains(value)) fail(kind.quantity.range.rule());
+  if (!kind.quantity.range.contains(value)) fail(kind.quantity.rule());
   return kind.factor * value;
 }
 
