@@ -162,6 +162,9 @@ const std::vector<Wrong> wrong_studies{
     {study_with(R"({"speed": [1]})", R"(, "set": {"speed": 1})"), ": set: speed = 1: is an axis of the study too"},
     {study_with(R"({"speed": [1]})", R"(, "set": {"load": "1 N"})"),
      ": set: load = \"1 N\": must have a unit of force per length (N/m) for a cylinder; "
+    {study_with(R"({"skew_angle": ["0 deg", "1 deg"]})", R"(, "set": {"method": "spectral"})"),
+     ": axes at skew_angle = 0 deg: skew_angle = 0 deg: only with method \"automatic\", \"newton\" or "
+     "\"newton_dense\""},
      "give its width too for that of the whole body"},
     {study_with(R"({"speed": [1]})", R"(, "chart": {"colour": 1})"),
      ": chart: colour = 1: unknown key; known are name, x, y, family, map"},
