@@ -91,7 +91,7 @@ const std::vector<Wrong> wrong_scenes{
      R"(: static_shear_modulus is missing: give static_shear_modulus or static_young_modulus (Pa))"},
     {scene_without("speed"), R"(: speed is missing: every scene needs it (m/s))"},
     {scene_without("load"), R"(: load is missing: give load or approach)"},
-    {scene_without("stiffening"), R"(: stiffening is missing: material "zener" needs it (1))"},
+    {scene_without("stiffening"), R"(: stiffening is missing: material "zener", the default, needs it (a number))"},
     {scene_without("creep_time"), R"(: creep_time is missing: material "zener" needs it (s))"},
     {"[1, 2]", R"(: [1,2]: must be an object { ... })"},
     {"",
