@@ -158,7 +158,11 @@ std::string as_key(std::string_view name) {
   }
   const auto usual =
       std::find_if(usual_headings.begin(), usual_headings.end(), [&](const auto& one) { return one.first == key; });
-  return usual == usual_headings.end() ? key : std::string(usual->second);
+  if (usual != usual_headings.end()) return std::string(usual->second);
+  const std::size_t gap = name.rfind(' ');  // "Storage Modulus E'": the symbol says more than the name
+  const std::string symbol = gap == std::string_view::npos ? std::string() : modulus_symbol(name.substr(gap + 1));
+  const char* const meant = symbol.ends_with("''") ? "loss_modulus" : "storage_modulus";
+  return !symbol.empty() && as_key(name.substr(0, gap)) == meant ? symbol : key;
 }
 
 /// The unit as the library of units has it.
