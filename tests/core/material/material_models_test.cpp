@@ -7,6 +7,7 @@
 #include "core/material/lumped_spectrum.hpp"
 #include "core/material/material_functions.hpp"
 #include "core/material/prony_series.hpp"
+#include "core/messages/message_text.hpp"
 #include "core/messages/number_list.hpp"
 #include "core/model/scene_rules.hpp"
 #include "core/rolling_contact.hpp"
@@ -130,6 +131,7 @@ TEST_CASE("a temperature shifts all times by the shift law", "[core][material]")
   const auto shifted = [&](double omega) { return at_reference(shift * omega); };
   CHECK(largest_difference(creep_spectrum(layer), shifted, 1e-3, 1e6) < 1e-13);
   CHECK_THAT(material_route(layer), Contains("times at -20 degC: 64.067 of those at 20 degC (WLF)"));
+  CHECK(in_celsius(std::nextafter(273.15, 300)) == "0 degC");  // not 5.68e-14
   layer.temperature = layer.reference_temperature;
   CHECK(largest_difference(creep_spectrum(layer), at_reference, 1e-3, 1e6) < 1e-14);
 
