@@ -113,8 +113,8 @@ std::string material_route(const MaterialInputs& layer) {
                 : message_text<5>("fractional Zener solid as ", creep_spectrum(layer).terms.size(),
                                   " exponentials, 1/G* to 1e-7");
   const auto add = [&](const char* what, double shift, const std::string& law) {
-    route += message_text<5>(route.empty() ? "" : "; ", what, " at ", *layer.temperature, " K: ", shift,
-                             " of those at ", *layer.reference_temperature, " K (", law, ")");
+    route += message_text<5>(route.empty() ? "" : "; ", what, " at ", in_celsius(*layer.temperature), ": ", shift,
+                             " of those at ", in_celsius(*layer.reference_temperature), " (", law, ")");
   };
   if (layer.temperature && layer.material != MaterialModel::elastic && !shift_law(layer).empty())
     add("times", time_shift(layer), shift_law(layer));
@@ -131,9 +131,9 @@ std::vector<std::string> material_warnings(const MaterialInputs& layer) {
   if (layer.temperature && layer.wlf_c1) {
     const double above = *layer.temperature - *layer.reference_temperature;
     if (above < -0.8 * *layer.wlf_c2)
-      warnings.push_back(message_text<5>("temperature = ", *layer.temperature,
-                                         " K: is close to where WLF has no meaning (",
-                                         *layer.reference_temperature - *layer.wlf_c2, " K)"));
+      warnings.push_back(message_text<5>("temperature = ", in_celsius(*layer.temperature),
+                                         ": is close to where WLF has no meaning (",
+                                         in_celsius(*layer.reference_temperature - *layer.wlf_c2), ")"));
   }
   if (layer.temperature && !layer.shift_factors.empty()) {
     const auto& rows = layer.shift_temperatures;
@@ -141,14 +141,15 @@ std::vector<std::string> material_warnings(const MaterialInputs& layer) {
     const auto [coldest, warmest] = std::minmax_element(rows.begin(), rows.end());
     if (factor(coldest) < factor(warmest))
       warnings.push_back(message_text<5>("shift_factors: a_T rises with temperature, from ", factor(coldest), " at ",
-                                         *coldest, " K to ", factor(warmest), " at ", *warmest,
-                                         " K, where times of materials fall: is 1/a_T meant?"));
+                                         in_celsius(*coldest), " to ", factor(warmest), " at ", in_celsius(*warmest),
+                                         ", where times of materials fall: is 1/a_T meant?"));
   }
   if (layer.temperature && layer.vft_b) {
     const double far = *layer.reference_temperature - *layer.vft_temperature;
     if (*layer.temperature < *layer.vft_temperature + 0.2 * far)
-      warnings.push_back(message_text<5>("temperature = ", *layer.temperature,
-                                         " K: is close to where VFT has no meaning (", *layer.vft_temperature, " K)"));
+      warnings.push_back(message_text<5>("temperature = ", in_celsius(*layer.temperature),
+                                         ": is close to where VFT has no meaning (", in_celsius(*layer.vft_temperature),
+                                         ")"));
   }
   return warnings;
 }

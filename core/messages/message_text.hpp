@@ -4,7 +4,9 @@
 
 #include <array>
 #include <charconv>
+#include <cmath>
 #include <concepts>
+#include <numbers>
 #include <sstream>
 #include <string>
 #include <string_view>
@@ -39,6 +41,17 @@ std::string message_text(const Parts&... parts) {
   (add_part<digits>(line, parts), ...);
   return line;
 }
+
+/// A temperature as people read it: "-20 degC". @param temperature [K]
+template <int digits = 5>
+std::string in_celsius(double temperature) {
+  constexpr double rounding = 1e-9;  // [K]
+  const double celsius = temperature - 273.15;
+  return message_text<digits>(std::abs(celsius) < rounding ? 0 : celsius, " degC");
+}
+
+/// An angle as people read it: "1 deg". @param angle [rad]
+inline std::string in_degrees(double angle) { return message_text<5>(angle * 180 / std::numbers::pi, " deg"); }
 
 /// One text of all: "speed, load". @param text_of what of each is told
 template <class List, class TextOf>

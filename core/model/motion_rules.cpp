@@ -36,10 +36,10 @@ void check_outline(const RollingScene& scene, MotionLines& lines) {
 
 /// The first input that turns the axle or the path, as it was given; empty: there is none.
 std::string turning_input(const RollingScene& scene) {
-  if (scene.skew_angle) return message_text("skew_angle = ", *scene.skew_angle);
+  if (scene.skew_angle) return "skew_angle = " + in_degrees(*scene.skew_angle);
   if (scene.axial_force) return message_text("axial_force = ", *scene.axial_force);
   if (scene.lateral_force) return message_text("lateral_force = ", *scene.lateral_force);
-  if (scene.camber_angle != 0) return message_text("camber_angle = ", scene.camber_angle);
+  if (scene.camber_angle != 0) return "camber_angle = " + in_degrees(scene.camber_angle);
   if (scene.pivot != 0) return message_text("pivot = ", scene.pivot);
   return {};
 }

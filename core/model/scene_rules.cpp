@@ -106,7 +106,7 @@ template <class Value>
 void check_range(const std::string& owner, const Quantity& quantity, const Value& value, BrokenRules& broken) {
   const auto key = [&] { return owner + std::string(quantity.key); };
   const auto check_number = [&](const auto& number, const std::string& place) {
-    if (!quantity.range.contains(number)) return broken.add(key() + place, number, quantity.range.rule());
+    if (!quantity.range.contains(number)) return broken.add(key() + place, number, quantity.rule());
     const double size = std::abs(static_cast<double>(number));
     const std::optional<Range> sizes = plausible(quantity.unit);
     if (sizes && size != 0 && std::isfinite(size) && !sizes->contains(size))
@@ -155,8 +155,12 @@ void check_thicknesses(const RollingScene& scene, BrokenRules& broken) {
   }
   double coating = 0;
   for (const BondedLayer& layer : scene.coating_layers) coating += layer.layer_thickness;
+  const bool several = scene.coating_layers.size() > 1;
   if (!scene.coating_layers.empty() && coating >= scene.radius)
-    broken.add("coating_layers", coating, "must be thinner than the radius, together");
+    broken.lines.push_back(
+        message_text<6>(several ? "coating_layers: layer_thickness = " : "coating_layers[0].layer_thickness = ",
+                        std::isinf(coating) ? "\"infinite\"" : message_text<6>(coating), several ? " together" : "",
+                        ": must be less than the radius, ", scene.radius, " m"));
 }
 
 void check_alternatives(const RollingScene& scene, BrokenRules& broken) {
@@ -258,6 +262,21 @@ void check_model(const RollingScene& scene, bool in_range, BrokenRules& broken) 
   if (model && scene.inertia == Inertia::on) check_inertia(*model, broken);
 }
 
+/// Of a temperature that the uppermost layer has no use for: whose was meant. Empty if no other layer has a law of
+/// shift.
+std::string other_temperature(const RollingScene& scene) {
+  for (const auto& [list, layers] :
+       {std::pair("coating_layers[", &scene.coating_layers), std::pair("lower_layers[", &scene.lower_layers)})
+    for (std::size_t i = 0; i < layers->size(); ++i) {
+      if (!has_shift((*layers)[i])) continue;
+      const std::string layer = message_text(list, i, "]");
+      return "; " + layer + " has one: " +
+             (scene.heat == Heat::on ? "heat = on finds its temperature from ambient_temperature"
+                                     : "its temperature is " + layer + ".temperature");
+    }
+  return {};
+}
+
 }  // namespace
 
 bool on_half_space(const RollingScene& scene) {
@@ -303,7 +322,10 @@ std::vector<std::string> check(const RollingScene& scene) {
   const std::string no_owner;
   visit_inputs(scene,
                [&](const Quantity& quantity, const auto& value) { check_range(no_owner, quantity, value, broken); });
-  for (std::string& line : check_material(scene)) broken.lines.push_back(std::move(line));
+  for (std::string& line : check_material(scene))
+    broken.lines.push_back(line + (scene.temperature && !has_shift(scene) && line.starts_with("temperature = ")
+                                       ? other_temperature(scene)
+                                       : ""));
   check_further_layers("lower_layers", scene.lower_layers, broken);
   check_further_layers("coating_layers", scene.coating_layers, broken);
   if (broken.lines.empty()) check_shifts(scene, broken);

@@ -66,6 +66,11 @@ std::string Range::rule() const {
   return text;
 }
 
+std::string Quantity::rule() const {
+  const bool between = std::isfinite(range.lowest) && std::isfinite(range.highest);
+  return range.rule() + (between && !unit.empty() && unit != "1" ? " " + std::string(unit) : "");
+}
+
 std::string_view Body::name() const {
   if (indenter == Indenter::profile) return "profiled roller";
   if (indenter == Indenter::pressure) return "given pressure";

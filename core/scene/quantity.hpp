@@ -64,6 +64,8 @@ struct Quantity {
 
   /// Whether it is counted per metre of a cylinder without a width.
   bool grows_with_width() const { return !unit_2d.empty(); }
+  /// The rule of its range, with the unit between two ends: "must be from -1.4 to 1.4 rad".
+  std::string rule() const;
   /// SI unit for this body.
   std::string_view unit_for(Body body) const { return body.per_metre() && grows_with_width() ? unit_2d : unit; }
 };

@@ -36,6 +36,13 @@ double length_of_nodes(const SurfaceFields& fields) {
   return (last - first) * fields.grid.spacing_x;
 }
 
+/// What to change where a law of contact is not kept: a method that iterates until it is, another grid.
+const char* advice_of_law(const ContactModel& model, const RollingSolution& solution) {
+  if (solution.method == Method::active_set) return "take method \"newton\", or another spacing";
+  if (!on_grid(solution.method)) return "take method \"newton\"";
+  return model.tolerance && !model.spacing ? "take another tolerance, or a spacing" : "take another spacing";
+}
+
 }  // namespace
 
 RollingSolution without_answer(Method method, Status status, std::string reason) {
@@ -48,7 +55,8 @@ RollingSolution without_answer(Method method, Status status, std::string reason)
 
 std::string doubt(const ContactModel& model, const RollingSolution& solution) {
   if (!model.loaded && !(solution.law_violation <= trusted_violation))
-    return message_text("a law of contact is violated by ", solution.law_violation, ", more than ", trusted_violation);
+    return message_text("a law of contact is violated by ", solution.law_violation, ", more than ", trusted_violation,
+                        ": ", advice_of_law(model, solution));
   if (!(solution.rolling_resistance_error >= 0)) return "the error of the rolling resistance cannot be estimated";
   if (model.loaded) return {};  // whose R_r is no sum over the grid, and needs no balance
   const double length =

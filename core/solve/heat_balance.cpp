@@ -50,7 +50,7 @@ class HeatBalanceSolution {
     const SteadyTemperatures found =
         steady_temperatures(estimate, [&](double temperature) { return balance_at(temperature); });
     if (found.unanswered) {
-      failed_.reason += message_text<5>("; with the warmed layers at ", *found.unanswered, " K");
+      failed_.reason += "; with the warmed layers at " + in_celsius(*found.unanswered);
       return std::move(failed_);
     }
     if (found.states.empty()) return without_state(*found.beyond);
@@ -142,9 +142,9 @@ class HeatBalanceSolution {
     RollingSolution none;
     none.method = there.solution.method;
     none.status = Status::no_steady_state;
-    none.reason = message_text<5>("heat: at ", last, " K, the last temperature that was tried, ", told(there.power),
-                                  " are lost and ", told(leaving), " leave: ", told(there.power - leaving),
-                                  " cannot leave at any temperature below");
+    none.reason = message_text<5>("heat: at ", in_celsius(last), ", the last temperature that was tried, ",
+                                  told(there.power), " are lost and ", told(leaving),
+                                  " leave: ", told(there.power - leaving), " cannot leave at any temperature below");
     return none;
   }
 
@@ -168,8 +168,8 @@ class HeatBalanceSolution {
     std::erase_if(solution.assumptions, [](const std::string& one) { return one.starts_with(no_heat); });
     const std::string sublayers =
         in_sublayers() ? message_text(", in ", in_each_, " sublayers each as warm as its middle") : "";
-    solution.model += message_text<6>("; the warmed layers at ", solution.mean_temperature,
-                                      " K, the mean by their own loss", sublayers, ", found in ", solutions_,
+    solution.model += message_text<6>("; the warmed layers at ", in_celsius(solution.mean_temperature),
+                                      ", the mean by their own loss", sublayers, ", found in ", solutions_,
                                       solutions_ == 1  ? " solution"
                                       : in_sublayers() ? " solutions"
                                                        : " solutions at one temperature each");
@@ -192,13 +192,13 @@ class HeatBalanceSolution {
     if (in_sublayers() &&
         solution.sublayer_temperatures.end() !=
             std::find(solution.sublayer_temperatures.begin(), solution.sublayer_temperatures.end(), warmest_))
-      solution.warnings.push_back(
-          message_text<5>("heat: sublayers are warmer than the law of shift reaches: taken at ", warmest_, " K"));
+      solution.warnings.push_back("heat: sublayers are warmer than the law of shift reaches: taken at " +
+                                  in_celsius(warmest_));
     if (states.size() > 1) {
       std::string others;
       for (std::size_t i = 1; i < states.size(); ++i)
         others +=
-            message_text<4>(i > 1 ? ", " : "", states[i].temperature, states[i].stable ? " K, stable" : " K, unstable");
+            (i > 1 ? ", " : "") + in_celsius<4>(states[i].temperature) + (states[i].stable ? ", stable" : ", unstable");
       solution.warnings.push_back(
           "heat: more than one steady state: this one is reached by warming from cold; others at " + others);
     }
@@ -220,8 +220,8 @@ class HeatBalanceSolution {
     const auto [change, scatter] = change_by_sublayers(answer, in_each);
     if (!std::isfinite(change)) return;
     const std::string range =
-        message_text<4>("the warmed layers are between ", std::min(profile.face(), profile.bond()), " and ",
-                        solution.peak_temperature, " K");
+        message_text("the warmed layers are between ", in_celsius<4>(std::min(profile.face(), profile.bond())), " and ",
+                     in_celsius<4>(solution.peak_temperature));
     const std::string sublayers = in_sublayers() ? message_text("of each of ", in_each_, " sublayers; ") : "";
     solution.assumptions.push_back(in_words({one_temperature, sublayers + range, change, scatter}));
     solution.model_error = std::hypot(solution.model_error, std::abs(change) + scatter);

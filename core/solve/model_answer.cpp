@@ -114,9 +114,10 @@ AskedOfTable asked_of_tables(const ContactModel& model, double contact_frequency
 
 /// "its rows end at 1e9 Hz, and the contact asks for about 7e11 Hz (...)", or what else may be wrong with them.
 std::string why_left_open(const AskedOfTable& asked) {
-  const std::string own = asked.shift == 1 ? std::string()
-                                           : message_text<3>(" (", asked.frequency / asked.shift, " Hz at ",
-                                                             asked.temperature, " K, a_T = ", asked.shift, ")");
+  const std::string own = asked.shift == 1
+                              ? std::string()
+                              : message_text<3>(" (", asked.frequency / asked.shift, " Hz at ",
+                                                in_celsius(asked.temperature), ", a_T = ", asked.shift, ")");
   if (asked.outside() <= 1)
     return message_text<3>("rows scatter, are too few or end near the frequencies of the contact, about ",
                            asked.frequency, " Hz") +

@@ -34,10 +34,13 @@ std::vector<double> along_peak(const SurfaceFields& fields, const std::vector<do
   return sizes;
 }
 
-void warn_of_peaks(const RollingSolution& solution, std::vector<std::string>& warnings) {
+/// What makes a grid finer: a tolerance chooses its spacing where none is given.
+const char* finer_by(const ContactModel& model) { return model.tolerance && !model.spacing ? "tolerance" : "spacing"; }
+
+void warn_of_peaks(const ContactModel& model, const RollingSolution& solution, std::vector<std::string>& warnings) {
   const auto warn = [&](std::string_view output, double peak, const std::vector<double>& traction) {
     if (traction.empty() || !(peak > 0)) return;
-    std::string line = unresolved_peak(output, peak, along_peak(solution.fields, traction), 2, "grid", "spacing");
+    std::string line = unresolved_peak(output, peak, along_peak(solution.fields, traction), 2, "grid", finer_by(model));
     if (!line.empty()) warnings.push_back(std::move(line));
   };
   warn("peak_pressure", solution.peak_pressure, solution.fields.pressure);
@@ -143,8 +146,9 @@ std::vector<std::string> warnings_for(const ContactModel& model, const RollingSo
                                       model.inertia ? ": the speed is close to that of Rayleigh waves" : ""));
   const double across = 2 * half_length(solution) / solution.spacing;
   if (across < 10)
-    warnings.push_back(message_text("only ", across, " nodes along the contact: take a smaller spacing"));
-  if (on_grid(solution.method) && !model.loaded && solution.fields.grid.columns > 0) warn_of_peaks(solution, warnings);
+    warnings.push_back(message_text("only ", across, " nodes along the contact: take a smaller ", finer_by(model)));
+  if (on_grid(solution.method) && !model.loaded && solution.fields.grid.columns > 0)
+    warn_of_peaks(model, solution, warnings);
   if (linear && model.kinematics == Kinematics::printed) {
     const double power = solution.rolling_resistance * model.speed;
     const double left = std::abs(power - solution.viscous_loss - solution.frictional_loss) / std::abs(power);

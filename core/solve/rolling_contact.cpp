@@ -30,8 +30,8 @@ void count_for_body(const RollingScene& scene, RollingSolution& solution) {
   constexpr double long_enough = 4;
   const double contact = solution.leading_edge - solution.trailing_edge;
   if (*scene.width < long_enough * contact)
-    solution.warnings.push_back(message_text("width = ", *scene.width, " m: is ", *scene.width / contact,
-                                             " times the contact's length; the ends are left out (plane strain), which "
+    solution.warnings.push_back(message_text("width = ", *scene.width, " m, only ", *scene.width / contact,
+                                             " times the contact's length: the ends are left out (plane strain), which "
                                              "reach half a contact inwards"));
 }
 

@@ -124,10 +124,10 @@ std::vector<double> steps_of_temperature(const std::vector<MeasuredModulus>& dat
     for (end = begin; end < rows.size(); ++end) {
       if (end > begin && rows[end]->temperature - rows[end - 1]->temperature > apart) break;
       if (rows[end]->temperature - rows[begin]->temperature > widest)
-        throw std::invalid_argument(
-            message_text(rows[end]->place, ": temperature = ", celsius_of(rows[end]->temperature),
-                         " degC: free shifts need temperatures in steps of more than 1 K, and from ",
-                         celsius_of(rows[begin]->temperature), " degC they run on without one"));
+        throw std::invalid_argument(message_text(rows[end]->place,
+                                                 ": temperature = ", in_celsius<3>(rows[end]->temperature),
+                                                 ": free shifts need temperatures in steps of more than 1 K, and from ",
+                                                 in_celsius<3>(rows[begin]->temperature), " they run on without one"));
       sum += rows[end]->temperature;
     }
     steps.push_back(sum / static_cast<double>(end - begin));
@@ -288,8 +288,8 @@ std::string without_overlap(const std::vector<MeasuredModulus>& data, const Temp
     for (const MeasuredModulus& row : rows[i + 1])
       fastest = std::max(fastest, row.angular_frequency * factors.time(row.temperature));
     if (fastest < slowest)
-      pairs += message_text<3>(pairs.empty() ? "" : ", ", celsius_of(temperatures[i]), " and ",
-                               celsius_of(temperatures[i + 1]), " degC");
+      pairs +=
+          (pairs.empty() ? "" : ", ") + in_celsius<3>(temperatures[i]) + " and " + in_celsius<3>(temperatures[i + 1]);
   }
   if (pairs.empty()) return "";
   return "reduced frequencies do not overlap between " + pairs +

@@ -47,7 +47,7 @@ std::vector<FitParameter> shift_parameters(const TemperatureShift& shift, bool f
          {std::pair(&log_shift, &shift.table.factors), std::pair(&log_vertical, &shift.table.moduli)})
       for (std::size_t i = 0; i < list->size(); ++i)
         if (i != reference)
-          parameters.push_back({message_text<4>(quantity->key, " (", celsius_of(shift.table.temperatures[i]), " degC)"),
+          parameters.push_back({message_text(quantity->key, " (", in_celsius<4>(shift.table.temperatures[i]), ")"),
                                 {*quantity, -farthest, farthest, Scaling::linear, 1},
                                 std::log10((*list)[i])});
     return parameters;

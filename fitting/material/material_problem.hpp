@@ -16,9 +16,6 @@ inline constexpr Quantity modulus_at_rest{"static_shear_modulus", "G0", "Pa", "G
 /// A parameter within its quantity's range; logarithmic where that begins at 0.
 FitParameter parameter(const Quantity& quantity, double start, std::string name = {});
 
-/// A temperature in degrees Celsius, for people. @param temperature [K]
-inline double celsius_of(double temperature) { return temperature - 273.15; }
-
 /// The place of the temperature that is nearest to one.
 std::size_t nearest_step(const std::vector<double>& temperatures, double temperature);
 

@@ -10,14 +10,23 @@ namespace rollres {
 
 namespace {
 
-const QuantityColumn& chosen_axis(const ShownStudy& shown, const std::string& wish, const std::string& picture) {
+const QuantityColumn& chosen_axis(const ShownStudy& shown, const std::string& wish, const std::string& picture,
+                                  std::span<const std::string_view> usual) {
   const auto count = [&](const std::string& key) {
     return shown.rows.values(column_of(key, shown.study, shown.rows, "--axis")).size();
   };
   std::string key = wish;
+  const auto may_go = [&](const std::string& one) { return usual.empty() || find_name(usual, one) >= 0; };
   for (const std::string& one : shown.study.axes)
-    if (wish.empty() && (key.empty() || count(one) > count(key))) key = one;
-  if (key.empty()) throw std::invalid_argument(shown.study.name + ": has no axis along which " + picture + " could go");
+    if (wish.empty() && may_go(one) && (key.empty() || count(one) > count(key))) key = one;
+  if (key.empty())
+    throw std::invalid_argument(
+        shown.study.name + ": has no axis along which " + picture + " could go" +
+        (usual.empty() ? "" : ": " + joined(usual) + "; --axis takes any: " + joined(shown.study.axes)));
+  if (count(key) < 2 && shown.rows.size() > 1 &&
+      std::find(shown.study.axes.begin(), shown.study.axes.end(), key) == shown.study.axes.end())
+    throw std::invalid_argument(shown.study.name + ": --axis = " + key + ": all points have the same; axes are " +
+                                joined(shown.study.axes));
   return number_column(key, shown.study, shown.rows, "--axis");
 }
 
@@ -28,9 +37,10 @@ void require_one_line(const ShownStudy& shown, const QuantityColumn& axis, const
     const std::vector<Cell> values = shown.rows.values(other);
     if (&other == &axis || values.size() < 2) continue;
     if (shown.rows.size() == shown.rows.values(axis).size()) continue;  // varies along
-    throw std::invalid_argument(shown.study.name + ": " + key + " has " + std::to_string(values.size()) + " values; " +
-                                picture + " shows one, choose it with --where " +
-                                shell_word(key + "=" + value_in_words(*values.begin(), unit_in(shown.rows, other))));
+    throw std::invalid_argument(
+        shown.study.name + ": " + key + " has " + std::to_string(values.size()) + " values; " + picture +
+        " shows one, choose it with --where " +
+        shell_word(key + "=" + value_in_words(other.quantity, *values.begin(), unit_in(shown.rows, other))));
   }
 }
 
@@ -52,9 +62,10 @@ std::string StoredLine::remarks() const {
 
 StoredLine stored_line(ResultStore& store, const ShownStudy& shown, const std::vector<Filter>& filters,
                        const std::string& axis, const std::string& picture,
-                       const std::function<RollingSolution(const RollingScene&)>& evaluate) {
+                       const std::function<RollingSolution(const RollingScene&)>& evaluate,
+                       std::span<const std::string_view> usual) {
   StoredLine line;
-  line.axis = &chosen_axis(shown, axis, picture);
+  line.axis = &chosen_axis(shown, axis, picture, usual);
   line.left_out = shown.unanswered();
   require_one_line(shown, *line.axis, picture);
   std::vector<Filter> wanted = filters;

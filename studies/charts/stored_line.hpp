@@ -4,6 +4,8 @@
 /// point than its numbers.
 
 #include <functional>
+#include <span>
+#include <string_view>
 
 #include "studies/charts/shown_study.hpp"
 
@@ -22,9 +24,11 @@ struct StoredLine {
 
 /// @param axis      its key; empty: the longest axis   @param picture "a film", for messages
 /// @param evaluate  solves a scene whose fields are not stored
-/// @throws std::invalid_argument naming an unknown axis, or another axis that has several values
+/// @param usual     the axes of which the longest is taken where none is asked for; empty: all
+/// @throws std::invalid_argument naming an unknown axis, what is no axis, or another axis that has several values
 StoredLine stored_line(ResultStore& store, const ShownStudy& shown, const std::vector<Filter>& filters,
                        const std::string& axis, const std::string& picture,
-                       const std::function<RollingSolution(const RollingScene&)>& evaluate);
+                       const std::function<RollingSolution(const RollingScene&)>& evaluate,
+                       std::span<const std::string_view> usual = {});
 
 }  // namespace rollres

@@ -221,8 +221,34 @@ Curves curves_of(const ShownStudy& shown, const Choice& choice, const ChartScale
   return curves;
 }
 
+/// The unit that suits all values of a family: "0.7937 m/s" beside "1.2599 m/s". Nothing where none does.
+std::optional<ScaledUnit> common_unit(const QuantityColumn& family, const StudyRows& rows) {
+  const std::string_view unit = unit_in(rows, family);
+  if (family.type != "REAL" || unit == "K") return {};
+  double smallest = std::numeric_limits<double>::infinity(), largest = 0;
+  for (const Cell& value : rows.values(family)) {
+    const double size = std::abs(number_in(value).value_or(0));
+    if (size == 0 || !std::isfinite(size)) continue;
+    smallest = std::min(smallest, size);
+    largest = std::max(largest, size);
+  }
+  constexpr double least = 0.1;  // that is read easily
+  const ScaledUnit scaled = scaled_unit(unit, largest);
+  return largest > 0 && scaled.number(smallest) >= least ? std::optional(scaled) : std::nullopt;
+}
+
+/// @param unit  common_unit
+std::string family_value(const QuantityColumn& family, const Cell& value, const std::optional<ScaledUnit>& unit,
+                         const StudyRows& rows) {
+  const std::optional<double> number = number_in(value);
+  if (!unit || !number || !std::isfinite(*number)) return value_in_words(family.quantity, value, unit_in(rows, family));
+  return short_number(unit->number(*number), shown_digits) + (unit->name.empty() ? "" : " " + unit->name);
+}
+
 /// The values of its families: "20 kN/m"; where there are several, "P = 20 kN/m, V = 1 m/s".
-std::string label_of(const std::vector<Cell>& values, const Choice& choice, const StudyRows& rows) {
+/// @param units  of the families
+std::string label_of(const std::vector<Cell>& values, const Choice& choice,
+                     const std::vector<std::optional<ScaledUnit>>& units, const StudyRows& rows) {
   std::string label;
   for (std::size_t i = 0; i < values.size(); ++i) {
     const QuantityColumn& family = *choice.families[i];
@@ -230,7 +256,7 @@ std::string label_of(const std::vector<Cell>& values, const Choice& choice, cons
     label += i == 0 ? "" : ", ";
     if (values.size() > 1 && family.type != "TEXT")
       label += (symbol.empty() ? in_words(family.name) : std::string(symbol)) + " = ";
-    label += value_in_words(family.quantity, values[i], unit_in(rows, family));
+    label += family_value(family, values[i], units[i], rows);
   }
   return label;
 }
@@ -245,9 +271,11 @@ std::vector<ChartCurve> labelled(const Curves& curves, const Choice& choice, con
   std::map<Cell, std::set<Cell>> places;
   for (std::size_t row = 0; row < rows.size(); ++row)
     places[study == choice.families.end() ? Cell() : rows.cell(row, **study)].insert(rows.cell(row, *choice.along));
+  std::vector<std::optional<ScaledUnit>> units;
+  for (const QuantityColumn* const one : choice.families) units.push_back(common_unit(*one, rows));
   std::vector<ChartCurve> all;
   for (const auto& [values, points] : curves) {
-    ChartCurve& curve = all.emplace_back(ChartCurve{label_of(values, choice, rows), {}});
+    ChartCurve& curve = all.emplace_back(ChartCurve{label_of(values, choice, units, rows), {}});
     for (const Cell& place : places.at(study_of(values))) {
       const auto found = points.find(place);
       curve.points.push_back(found != points.end() ? found->second : ChartPoint{none, none, true});
@@ -281,8 +309,8 @@ void tell_families_apart(ChartRequest& request, const Curves& curves, const Choi
     const QuantityColumn& column = *choice.families[family];
     ChartFamily& shown = request.families.emplace_back();
     if (column.type != "TEXT") shown.axis = family_axis(column, rows);
-    for (const Cell& value : values[family])
-      shown.labels.push_back(value_in_words(column.quantity, value, unit_in(rows, column)));
+    const std::optional<ScaledUnit> unit = common_unit(column, rows);
+    for (const Cell& value : values[family]) shown.labels.push_back(family_value(column, value, unit, rows));
   }
   std::size_t number = 0;
   for (const auto& [place, points] : curves) {

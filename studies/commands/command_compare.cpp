@@ -25,8 +25,12 @@ struct CompareArguments {
 
 constexpr std::size_t lines_on_screen = 20;
 
-std::string cell_in_words(const Cell& cell) {
-  return std::holds_alternative<std::monostate>(cell) ? "not given" : value_in_words(cell, "");
+/// With its unit, where that is the same for all bodies.
+std::string input_in_words(const std::string& key, const Cell& cell) {
+  if (std::holds_alternative<std::monostate>(cell)) return "not given";
+  const QuantityColumn* const column = find_quantity_column(key);
+  if (!column || column->quantity.grows_with_width()) return value_in_words(cell, "");
+  return value_in_words(column->quantity, cell, column->quantity.unit);
 }
 
 Table table_of(const StudyComparison& comparison, std::optional<std::size_t> limit) {
@@ -45,7 +49,8 @@ Table table_of(const StudyComparison& comparison, std::optional<std::size_t> lim
 
 void print_summary(std::ostream& out, const StudyComparison& comparison) {
   for (const ComparedInput& input : comparison.compared)
-    out << input.key << ": " << cell_in_words(input.first) << " against " << cell_in_words(input.second) << '\n';
+    out << input.key << ": " << input_in_words(input.key, input.first) << " against "
+        << input_in_words(input.key, input.second) << '\n';
   out << comparison.matched << " points match, " << comparison.only_first << " are only in the first study, "
       << comparison.only_second << " only in the second\n";
   if (comparison.half_answered > 0) out << comparison.half_answered << " have an answer in one study only\n";
@@ -74,8 +79,11 @@ Json report_of(const StudyComparison& comparison, const CompareArguments& argume
 
 void print_table(const CompareArguments& arguments, const StudyComparison& comparison, Session& session) {
   print_summary(session.out, comparison);
-  const Table table = table_of(comparison, arguments.limit.value_or(lines_on_screen));
+  Table table = table_of(comparison, arguments.limit.value_or(lines_on_screen));
   if (table.rows.empty()) return;
+  for (std::vector<Cell>& row : table.rows)  // after the position
+    for (std::size_t i = 0; i < comparison.axes.size(); ++i)
+      row[i + 1] = input_in_words(comparison.axes[i], row[i + 1]);
   session.out << '\n';
   write_aligned(session.out, table);
   if (const std::size_t left = comparison.differences.size() - table.rows.size(); left > 0)
@@ -171,14 +179,12 @@ void compare(CompareArguments arguments, Session& session) {
 void add_compare(Command& program, Session& session) {
   const auto [command, arguments] = program.add<CompareArguments>(
       "compare", "Compare two stored studies point by point, or two fits", session, compare);
-  constexpr int most_studies = 1000;
   command
       ->add_option(
           "studies NAME", arguments.studies,
           "names of two studies, of one study that both databases hold, or of two fits; of more than two the first is "
           "compared with each of the others")
-      ->required()
-      ->expected(1, most_studies);
+      ->required();
   command->add_option("--db FILE", arguments.database, "database")->or_usual_database();
   command->add_option("--with FILE", arguments.other_database, "database of the second study; left out: the same");
   command->add_option("--outputs KEY,...", arguments.outputs,

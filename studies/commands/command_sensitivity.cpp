@@ -1,3 +1,4 @@
+#include <bit>
 #include <cmath>
 #include <mutex>
 #include <ostream>
@@ -61,6 +62,15 @@ void print(const GradientReport& report, bool json, Session& session) {
   if (!report.gradient.complete()) session.status = ExitStatus::no_answer;
 }
 
+/// An output that is a real number and that answers of the scene have. @throws std::invalid_argument otherwise
+Quantity present_output(const std::string& key, const RollingScene& scene) {
+  return refusing_at("--output", [&] {
+    const Quantity output = real_output(key);
+    refuse_absent(Formula(key, FormulaNames::inputs_and_outputs), scene);
+    return output;
+  });
+}
+
 void run_gradient(const GradientArguments& arguments, Session& session) {
   const RollingScene scene = read_scene(arguments.scene, arguments.overrides);
   std::vector<InputChoice> inputs;
@@ -69,7 +79,7 @@ void run_gradient(const GradientArguments& arguments, Session& session) {
     inputs.push_back({key});
   }
   Objective objective{scene, {}, {}, session.evaluate};
-  objective.output = refusing_at("--output", [&] { return real_output(arguments.output); });
+  objective.output = present_output(arguments.output, scene);
   objective.variables = refusing_at(arguments.scene + " with --inputs", [&] { return variables_of(scene, inputs); });
   print(gradient_report(std::move(objective), arguments.options), arguments.json, session);
 }
@@ -77,8 +87,7 @@ void run_gradient(const GradientArguments& arguments, Session& session) {
 void local_sensitivity(const SensitivityArguments& arguments, Session& session) {
   const RollingScene scene = read_scene(arguments.file, arguments.overrides);
   Objective objective{scene, variables_of(scene, inputs_with_elasticity(scene)), {}, session.evaluate};
-  objective.output = refusing_at(
-      "--output", [&] { return real_output(arguments.output.empty() ? "rolling_resistance" : arguments.output); });
+  objective.output = present_output(arguments.output.empty() ? "rolling_resistance" : arguments.output, scene);
   GradientReport report = gradient_report(std::move(objective), {.order = 4, .jobs = arguments.jobs});
   sort_by_elasticity(report);
   print(report, arguments.json, session);
@@ -110,6 +119,9 @@ struct GlobalFindings {
 GlobalFindings sobol_findings(const DesignProblem& problem, const CubeFunction& function,
                               const SensitivityArguments& arguments) {
   const auto rows = static_cast<std::size_t>(arguments.samples > 0 ? arguments.samples : 256);
+  if (!std::has_single_bit(rows))
+    throw std::invalid_argument("--samples = " + std::to_string(rows) + ": must be a power of two with sobol: " +
+                                std::to_string(std::bit_floor(rows)) + " or " + std::to_string(std::bit_ceil(rows)));
   const SobolIndices found = sobol_indices(function, problem.variables.size(), rows, arguments.seed, arguments.jobs);
   GlobalFindings findings{.table = {{"input", "first_order", "first_order_error", "total", "total_error"}, {}},
                           .series = {"first order", "total"},

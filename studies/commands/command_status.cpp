@@ -117,6 +117,7 @@ void status(const StatusArguments& arguments, Session& session) {
   }
   const Study study = read_study(arguments.study);
   std::vector<std::filesystem::path> present;
+  if (arguments.databases.empty() && std::filesystem::exists(usual_database())) present.emplace_back(usual_database());
   for (const std::string& file : arguments.databases) {
     if (std::filesystem::exists(file))
       present.emplace_back(file);
@@ -145,7 +146,8 @@ void add_status(Command& program, Session& session) {
       program.add<StatusArguments>("status", "Tell what of a study is stored, and what is missing", session, status);
   command->add_option("study STUDY", arguments.study, "study file; left out: every study of the database");
   command->add_option("--db FILE", arguments.databases,
-                      "database; may be repeated: several are read as one; left out: no point is stored");
+                      "database; may be repeated: several are read as one; left out: that of ROLLRES_DB, or "
+                      "rollres.db, if it is there");
   CommandOption* const shards =
       command->add_option("--shards N", arguments.shards, "number of shards: tell which have something missing")
           ->between(1, most_shards);

@@ -1,3 +1,4 @@
+#include <array>
 #include <ostream>
 #include <stdexcept>
 
@@ -71,12 +72,16 @@ void film(const FilmArguments& arguments, Session& session) {
   for (const auto& file : {files.film, files.script, files.data}) session.out << file.string() << '\n';
 }
 
+/// What forces, moment and slip depend on: skew, creepage, camber, pivot, and what stands in their place.
+constexpr std::array<std::string_view, 7> turning_axes{"skew_angle",  "rotation_ratio", "camber_angle",  "pivot",
+                                                       "axial_force", "lateral_force",  "driving_torque"};
+
 void characteristic(const LineArguments& arguments, Session& session) {
   const StudyChartOptions options = arguments.options();
   ResultStore store(arguments.database, Access::read);
   const ShownStudy shown(store, options);
   const StoredLine line =
-      stored_line(store, shown, options.filters, arguments.axis, "a characteristic", session.evaluate);
+      stored_line(store, shown, options.filters, arguments.axis, "a characteristic", session.evaluate, turning_axes);
   session.err << line.remarks();
   require_two_points(shown, line, "a characteristic");
   const ColumnScale x = scale_of(shown.rows, *line.axis, AxisScale::automatic, false, "--axis");
@@ -91,11 +96,11 @@ void characteristic(const LineArguments& arguments, Session& session) {
 }
 
 /// @param picture  "a film"   @param ending  of the files' usual name
-void add_line_options(Command& command, LineArguments& arguments, const std::string& picture,
-                      const std::string& ending) {
+void add_line_options(Command& command, LineArguments& arguments, const std::string& picture, const std::string& ending,
+                      const std::string& of = {}) {
   command.add_option("--db FILE", arguments.database, "database")->or_usual_database();
   command.add_option("--study NAME", arguments.study, "study; may be left out if the database holds one");
-  command.add_option("--axis KEY", arguments.axis, "axis along which " + picture + " goes; left out: the longest");
+  command.add_option("--axis KEY", arguments.axis, "axis along which " + picture + " goes; left out: the longest" + of);
   command
       .add_option("--where FILTER", arguments.filters, "show only points with KEY=VALUE, as in query; may be repeated")
       ->one_value_each();
@@ -121,7 +126,7 @@ void add_characteristic(Command& program, Session& session) {
   const auto [command, arguments] = program.add<LineArguments>(
       "characteristic", "Draw forces, moment and slip regions of a stored study along skew, creepage, camber or pivot",
       session, characteristic);
-  add_line_options(*command, arguments, "the characteristic", "_characteristic");
+  add_line_options(*command, arguments, "the characteristic", "_characteristic", " of such axes");
   command->footer(
       "Points whose fields are not stored are solved again. Script (.gp) and data (.dat) stay beside the pictures.\n"
       "Example: rollres characteristic --db out/castor.db --out out/castor");

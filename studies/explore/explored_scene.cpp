@@ -156,7 +156,7 @@ ExploredCurve explored_curve(const Json& wish, const std::string& place) {
   const auto number = [&](const char* key) {
     const Json& value = needed(wish, key, place, "must be a number");
     if (!value.is_number() || !kind->quantity.range.contains(value.get<double>()))
-      refuse(place, key, value, kind->quantity.range.rule());
+      refuse(place, key, value, kind->quantity.rule());
     return value.get<double>();
   };
   curve.from = number("from");

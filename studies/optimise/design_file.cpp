@@ -361,6 +361,8 @@ std::vector<DesignProblem> problems_in(Json file, const std::filesystem::path& p
   const std::string place = path.string();
   require_kind(FileKind::design, file, place);
   resolve_fit(file, path, place);
+  if (const auto axes = file.find("axes"); axes != file.end())
+    refuse(place, "axes", *axes, "a study has axes; a design has variables in their place, and finds their values");
   refuse_unknown_keys(file, design_keys, place);
   refuse_ignored_other_than_texts(file, place);
   const std::string rule = "must be an object with at least one input";

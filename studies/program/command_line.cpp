@@ -55,7 +55,6 @@ CommandOption* CommandOption::one_of(std::initializer_list<std::string_view> nam
 }
 CommandOption* CommandOption::delimiter(char letter) { return option_->delimiter(letter), this; }
 CommandOption* CommandOption::one_value_each() { return option_->allow_extra_args(false), this; }
-CommandOption* CommandOption::expected(int fewest, int most) { return option_->expected(fewest, most), this; }
 CommandOption* CommandOption::excludes(const CommandOption* other) { return option_->excludes(other->option_), this; }
 CommandOption* CommandOption::needs(const CommandOption* other) { return option_->needs(other->option_), this; }
 

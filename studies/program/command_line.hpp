@@ -65,7 +65,6 @@ class CommandOption {
   CommandOption* delimiter(char letter);
   /// Takes one value each time it is given, no more.
   CommandOption* one_value_each();
-  CommandOption* expected(int fewest, int most);
   CommandOption* excludes(const CommandOption* other);
   CommandOption* needs(const CommandOption* other);
 

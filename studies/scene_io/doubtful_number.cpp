@@ -38,9 +38,12 @@ enum class Use { input, limit };
 /// @param unit  of the quantity, for the body
 std::string_view meant_unit(const Quantity& quantity, std::string_view unit, double value, Use use) {
   constexpr double long_one = 1, soft = 1e3, cold = 150;  // [m], [Pa], [K]
+  constexpr double turned = 0.35, of_no_polymer = 1e3;    // [rad], [J/mol]
   if (!std::isfinite(value)) return "";
   if (unit == "m") return value > long_one ? "mm" : "";
   if (temperature(quantity)) return value < cold ? "degC" : "";
+  if (unit == "rad") return std::abs(value) > turned ? "deg" : "";
+  if (unit == "J/mol") return value > 0 && value < of_no_polymer ? "kJ/mol" : "";
   const std::string_view own = own_key(quantity.key);
   if (!modulus(own) && !(use == Use::limit && unit == "Pa")) return "";
   const bool of_series = modulus(own) && own.find('[') != std::string_view::npos;  // as small as one likes
@@ -72,7 +75,11 @@ std::string doubt_of(const Quantity& quantity, double value) {
 }
 
 std::string doubt_of_measured(std::string_view unit, double value) {
-  return doubt_in_quotes(meant_unit({}, unit, value, Use::limit), unit, value);
+  return doubt_of_filter({.key = {}, .symbol = {}, .unit = unit, .meaning = {}}, value);
+}
+
+std::string doubt_of_filter(const Quantity& quantity, double value) {
+  return doubt_in_quotes(meant_unit(quantity, quantity.unit, value, Use::limit), quantity.unit, value);
 }
 
 std::string doubt_of_limit(const Quantity& quantity, std::string_view unit, double value) {

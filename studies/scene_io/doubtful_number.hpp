@@ -1,8 +1,9 @@
 #pragma once
 
 /// Numbers of inputs that look as if they were given in another unit than that of the SI: a length above 1 m, a modulus
-/// below 1 kPa or above 1 TPa, a temperature below 150 K. Bare ones are refused, as the text "6 m" they are meant; what
-/// the program writes itself has the unit. For sources only: it needs nlohmann_json.
+/// below 1 kPa or above 1 TPa, a temperature below 150 K, an angle above 0.35 rad, a molar energy below 1 kJ/mol. Bare
+/// ones are refused, as the text "6 m" they are meant; what the program writes itself has the unit. For sources only:
+/// it needs nlohmann_json.
 
 #include <optional>
 #include <string>
@@ -19,6 +20,9 @@ std::string doubt_of(const Quantity& quantity, double value);
 
 /// The same of a standard deviation or an offset of what is measured in this unit.
 std::string doubt_of_measured(std::string_view unit, double value);
+
+/// The same of a value that inputs and answers of stored rows are compared with; stresses, too.
+std::string doubt_of_filter(const Quantity& quantity, double value);
 
 /// The same of a limit that such a number is compared with, in a formula, of inputs and of answers; stresses, too.
 /// @param unit  of the quantity, for the body

@@ -172,6 +172,12 @@ bool is_over_time(const MeasuredTable& table) {
   return table.find("relaxation_modulus") || table.find("creep_compliance");
 }
 
+/// @param what  "frequencies"
+void refuse_one_place(const MeasuredTable& table, const std::vector<double>& places, const std::string& what) {
+  if (std::all_of(places.begin(), places.end(), [&](double place) { return place == places.front(); }))
+    throw std::invalid_argument(table.file + ": must have rows at two different " + what + " at least");
+}
+
 /// Refuses a row that is beyond the extreme of those before it in time by more than noise explains.
 /// @param sign  1 of a modulus, which falls, -1 of a compliance, which rises
 void refuse_against_time(const MeasuredTable& table, const MeasuredColumn& column, const std::vector<double>& times,
@@ -216,6 +222,7 @@ Json lists_over_time(const MeasuredTable& table) {
   const MeasuredColumn& column = modulus ? *modulus : *compliance;
   const std::vector<double> times = measured_numbers(table, table.needed("time"), "s", positive),
                             values = measured_numbers(table, column, modulus ? "Pa" : "1/Pa", positive);
+  refuse_one_place(table, times, "times");
   refuse_against_time(table, column, times, values, modulus ? 1 : -1);
   return {{"material", std::string(name_of(MaterialModel::relaxation_curve))},
           {"relaxation_times", times},
@@ -236,9 +243,11 @@ Json read_master_curve(const std::filesystem::path& file, const std::vector<std:
   Json lists = over_time ? lists_over_time(table) : Json();
   if (said) lists[std::string(listed_moduli_key)] = std::string(name_of(*said));
   if (over_time) return lists;
-  lists["frequencies"] = measured_frequencies(table);
+  const std::vector<double> frequencies = measured_frequencies(table);
+  lists["frequencies"] = frequencies;
   const MeasuredModuli moduli =
       measured_moduli(table, not_negative, not_negative.rule() + ": no passive material gives energy back");
+  refuse_one_place(table, frequencies, "frequencies");
   lists["storage_moduli"] = moduli.storage;
   lists["loss_moduli"] = moduli.loss;
   return lists;
@@ -350,6 +359,13 @@ std::vector<TablePart> parts_with_tables(Json& scene) {
       if (list[layer].is_object()) add(list[layer], key + "[" + std::to_string(layer) + "].");
   }
   return parts;
+}
+
+std::string table_key_of(std::string_view input) {
+  if (find_name(strain_sweep_inputs, input) >= 0) return std::string(strain_sweep_key);
+  if (find_name(shift_table_inputs, input) >= 0) return std::string(shift_table_key);
+  if (find_name(profile_inputs, input) >= 0) return std::string(profile_key);
+  return std::string(master_curve_key);
 }
 
 bool names_tables(const Json& scene) {

@@ -118,6 +118,8 @@ struct TablePart {
 };
 std::vector<TablePart> parts_with_tables(Json& scene);
 bool names_tables(const Json& scene);
+/// "master_curve_file" of an input that a table gives: the key that names the table.
+std::string table_key_of(std::string_view input);
 
 /// A scene or a part of one with the lists in place of the files' names, in further layers too; without such a key it
 /// is left as it is.

@@ -72,7 +72,7 @@ std::vector<double> numbers(const SceneEntry& entry, const Quantity& quantity, B
   for (const Json& item : entry.value) {
     const SceneEntry single{entry.key + "[" + std::to_string(values.size()) + "]", item, entry.place};
     values.push_back(number(single, quantity, body));
-    if (!quantity.range.contains(values.back())) refuse(single.place, single.key, item, quantity.range.rule());
+    if (!quantity.range.contains(values.back())) refuse(single.place, single.key, item, quantity.rule());
   }
   const std::size_t telling = telling_place(quantity, values);
   if (const Json& item = entry.value[telling]; item.is_number())
@@ -88,20 +88,32 @@ std::string other_material(const std::vector<SceneEntry>& entries, MaterialModel
     if (!kind || kind->needed_by_all() || kind->needed_by(material)) continue;
     for (std::size_t other = 0; other < ChoiceNames<MaterialModel>::names.size(); ++other)
       if (kind->needed_by(static_cast<MaterialModel>(other)))
-        return "; " + entry.key + " is given, for material \"" + std::string(ChoiceNames<MaterialModel>::names[other]) +
-               '"';
+        return "; " + (entry.table.empty() ? entry.key : entry.table) + " is given, for material \"" +
+               std::string(ChoiceNames<MaterialModel>::names[other]) + '"';
   }
   return "";
+}
+
+/// "material "zener", the default,": what needs an input.
+std::string material_in_words(MaterialModel material, bool given) {
+  return "material \"" + std::string(name_of(material)) + (given ? "\"" : "\", the default,");
+}
+
+/// " needs it (m)"
+std::string missing_number(const Quantity& quantity, Body body) {
+  const std::string_view unit = quantity.unit_for(body);
+  return " needs it (" + (unit == "1" ? std::string("a number") : std::string(unit)) + ")";
 }
 
 void refuse_missing(const std::vector<SceneEntry>& entries, const RollingScene& scene, const std::string& place) {
   for (const InputKind& kind : input_kinds()) {
     const bool needed = kind.needed_by_all() || kind.needed_by(scene.material);
     if (!needed || value_given(entries, kind.quantity.key)) continue;
-    const std::string who =
-        kind.needed_by_all() ? "every scene" : "material \"" + std::string(name_of(scene.material)) + '"';
-    throw std::invalid_argument(place + ": " + std::string(kind.quantity.key) + " is missing: " + who + " needs it (" +
-                                std::string(kind.quantity.unit_for(body_of(scene))) + ")" +
+    const std::string who = kind.needed_by_all()
+                                ? "every scene"
+                                : material_in_words(scene.material, value_given(entries, "material") != nullptr);
+    throw std::invalid_argument(place + ": " + std::string(kind.quantity.key) + " is missing: " + who +
+                                missing_number(kind.quantity, body_of(scene)) +
                                 other_material(entries, scene.material));
   }
 }
@@ -150,8 +162,11 @@ BondedLayer layer_of_object(const SceneEntry& owner, const Json& object) {
   }
   for (const InputKind& kind : layer_kinds())
     if ((kind.needed_by_all() || kind.needed_by(layer.material)) && find_name(given, kind.quantity.key) < 0)
-      throw std::invalid_argument(owner.place + ": " + owner.key + "." + std::string(kind.quantity.key) +
-                                  " is missing: this layer needs it (" + std::string(kind.quantity.unit) + ")");
+      throw std::invalid_argument(
+          owner.place + ": " + owner.key + "." + std::string(kind.quantity.key) + " is missing: " +
+          (kind.needed_by_all() ? "every layer"
+                                : material_in_words(layer.material, find_name(given, "material") >= 0)) +
+          missing_number(kind.quantity, Indenter::cylinder));
   refuse_unsaid_moduli([&](std::string_view key) { return find_name(given, key) >= 0; }, layer.material,
                        owner.key + ".", owner.place);
   return layer;
@@ -195,7 +210,7 @@ std::vector<SceneEntry> scene_entries(const Json& object, const std::filesystem:
       continue;
     }
     refuse_unknown_key({key, value, place});
-    add_entry(entries, {key, value, place});
+    add_entry(entries, {key, value, place, object.contains(key) ? std::string() : table_key_of(key)});
     if (const auto layered = layer_key(key))
       refuse(place, key, value, "must stand in the layer's own object, in the list " + std::string(layered->list));
   }
@@ -248,7 +263,7 @@ InputValue input_value(const SceneEntry& entry, const InputKind& kind, Body body
   if (!whole) fail("must be a whole number");
   if (entry.value.is_number())
     if (const std::string doubt = doubt_of(kind.quantity, value); !doubt.empty()) fail(doubt);
-  if (!kind.quantity.range.contains(value)) fail(kind.quantity.range.rule());
+  if (!kind.quantity.range.contains(value)) fail(kind.quantity.rule());
   return kind.factor * value;
 }
 

@@ -18,7 +18,8 @@ namespace rollres {
 struct SceneEntry {
   std::string key;
   Json value;
-  std::string place;  ///< file, "--set", ...
+  std::string place;       ///< file, "--set", ...
+  std::string table = {};  ///< "master_curve_file" of what such a table gives; empty otherwise
 };
 
 /// Keys of a scene file that are no inputs; their values are texts that the program ignores.

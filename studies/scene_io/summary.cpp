@@ -53,6 +53,18 @@ std::map<std::string_view, std::string> usual_layer() {
   return texts;
 }
 
+/// The error of an output, in the unit that this has; empty if it is none, or nothing scales it.
+/// @param values  of the outputs before, by their keys
+std::string error_text(const std::map<std::string_view, double>& values, std::string_view key, double error,
+                       std::string_view unit) {
+  constexpr std::string_view ending = "_error";
+  if (!key.ends_with(ending) || !std::isfinite(error)) return "";
+  const auto value = values.find(key.substr(0, key.size() - ending.size()));
+  if (value == values.end() || !std::isfinite(value->second) || value->second == 0) return "";
+  const ScaledUnit scaled = scaled_unit(unit, value->second);
+  return short_number(scaled.number(error), shown_digits) + (scaled.name.empty() ? "" : " " + scaled.name);
+}
+
 std::string headline(const RollingSolution& solution) {
   if (solution.status == Status::converged) return "converged";
   if (solution.status == Status::no_steady_state) return "NO STEADY STATE";
@@ -79,10 +91,17 @@ std::string summary(const RollingScene& scene, const RollingSolution& solution) 
     const std::optional<LayerKey> layered = layer_key(quantity.key);
     if (!layered || shown != usual.at(layered->input)) add(inputs, quantity, symbol_beside_name(quantity), shown);
   });
+  std::map<std::string_view, double> values;
   visit_outputs(solution, [&](const Quantity& quantity, const auto& value) {
     using Value = std::decay_t<decltype(value)>;
+    const std::string_view unit = quantity.unit_for(body_of(scene));
+    std::string shown;
+    if constexpr (std::is_floating_point_v<Value>) {
+      shown = error_text(values, quantity.key, value, unit);
+      values[quantity.key] = value;
+    }
     if constexpr (std::is_arithmetic_v<Value> || std::is_same_v<Value, std::vector<double>>)
-      add(outputs, quantity, quantity.symbol, value_text(quantity, value, quantity.unit_for(body_of(scene))));
+      add(outputs, quantity, quantity.symbol, shown.empty() ? value_text(quantity, value, unit) : shown);
     if (quantity.key == "model_error" && std::isnan(solution.model_error) && solution.status == Status::converged)
       add(outputs, quantity, quantity.symbol, "not known: --explain tells what the model assumes");
   });

@@ -7,6 +7,7 @@
 #include <stdexcept>
 
 #include "studies/scene_io/dimension.hpp"
+#include "studies/scene_io/doubtful_number.hpp"
 #include "studies/study/study_definition.hpp"
 #include "studies/text/readable_number.hpp"
 #include "studies/text/units.hpp"
@@ -115,6 +116,13 @@ void convert_to_si(Filter& filter, const Quantity& quantity) {
       return si_value(filter.value, quantity.unit_2d);
     }
   }));
+}
+
+void convert_written(Filter& filter, const Quantity& quantity) {
+  if (const std::optional<double> bare = plain_number(filter.value))
+    if (const std::string doubt = doubt_of_filter(quantity, *bare); !doubt.empty())
+      throw std::invalid_argument(filter.column + " = " + filter.value + ": " + doubt);
+  convert_to_si(filter, quantity);
 }
 
 void convert_to_si(std::vector<Filter>& filters, const FormulaDefinitions& formulas) {

@@ -23,7 +23,9 @@ const QuantityColumn& derived_column(const std::string& name, const std::string&
 /// A value with a unit in a filter becomes a number in SI; whether it is per metre is kept beside it.
 /// @throws std::invalid_argument naming the value whose unit does not fit
 void convert_to_si(Filter& filter, const Quantity& quantity);
-/// The same for filters of derived numbers.
+/// The same of what somebody wrote: a bare number that looks as if it were in another unit is refused.
+void convert_written(Filter& filter, const Quantity& quantity);
+/// convert_to_si for filters of derived numbers.
 void convert_to_si(std::vector<Filter>& filters, const FormulaDefinitions& formulas);
 
 /// Adds the derived numbers that a question names to it, from the studies that its filters choose. Returns their

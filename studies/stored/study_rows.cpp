@@ -341,7 +341,7 @@ Filter read_filter(const std::string& text) {
   require_held(filter.column);
   const QuantityColumn* column = find_quantity_column(filter.column);
   if (column && column->type == "TEXT") refuse_unknown_choice(filter, *column);
-  if (column && column->type == "REAL") convert_to_si(filter, column->quantity);
+  if (column && column->type == "REAL") convert_written(filter, column->quantity);
   return filter;
 }
 

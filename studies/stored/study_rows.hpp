@@ -145,7 +145,8 @@ StudySummary stored_study(ResultStore& store, const std::string& name);
 
 /// Reads a filter as people write it, "load>=20 kN/m": as parse_filter (db/queries/query.hpp), but a value with a unit
 /// becomes a number in SI.
-/// @throws std::invalid_argument as parse_filter, or naming the value whose unit does not fit the column
+/// @throws std::invalid_argument as parse_filter, or naming the value whose unit does not fit the column, or a bare one
+/// that looks as if it were in another unit
 Filter read_filter(const std::string& text);
 
 /// A program on a machine, and what of a study it computed.

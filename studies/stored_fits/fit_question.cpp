@@ -67,7 +67,7 @@ Filter read_fit_filter(const Database& database, const std::string& text) {
   Filter filter = parse_filter(text);
   const std::vector<StoredParameter> parameters = fitted_parameters(database);
   const OfParameter of = parameter_of(parameters, filter.column);
-  if (of.parameter) convert_to_si(filter, quantity_of(of));
+  if (of.parameter) convert_written(filter, quantity_of(of));
   if (filter.column == "seconds") convert_to_si(filter, Quantity{"seconds", "", "s", ""});
   const bool compares = filter.comparison == Comparison::equal || filter.comparison == Comparison::not_equal;
   if (filter.column != "status" || !compares || filter.value.empty()) return filter;

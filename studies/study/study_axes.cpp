@@ -9,6 +9,7 @@
 #include "studies/study/sampling.hpp"
 #include "studies/study/study_keys.hpp"
 #include "studies/study/study_variants.hpp"
+#include "studies/text/readable_number.hpp"
 
 namespace rollres {
 
@@ -107,9 +108,13 @@ std::vector<GivenAxis> sample(const Json& object, const std::string& place) {
 
 void refuse_axes_that_exclude_each_other(const std::vector<GivenAxis>& axes) {
   for (const GivenAxis& axis : axes) {
-    const std::string outer = axis.place.substr(0, axis.place.rfind(": "));
+    const std::size_t end = axis.place.rfind(": ");
+    const std::string outer = axis.place.substr(0, end);
+    const auto written = [](const GivenAxis& one) { return one.place.substr(one.place.rfind(": ") + 2); };
     for (const GivenAxis& other : axes)
-      if (&other < &axis && other.key == axis.key) refuse(outer, axis.key, axis.shown, "varies already");
+      if (&other < &axis && other.key == axis.key)
+        refuse(outer, written(axis), axis.shown,
+               (written(other) == written(axis) ? "" : written(other) + ", the same input, ") + "varies already");
     if (axis.choice()) continue;
     for (const std::string_view replaced : replaced_inputs(axis.key, 0.0))
       for (const GivenAxis& other : axes)
@@ -209,7 +214,8 @@ std::vector<GivenAxis> given_axes(const Json& study, const std::string& place, s
   double count = static_cast<double>(std::max<std::size_t>(variants, 1));
   for (const auto& group : groups_of(given)) count *= static_cast<double>(given[group.front()].size());
   if (count > most_points)
-    throw std::invalid_argument(place + ": axes: more than " + std::to_string(most_points) + " points");
+    throw std::invalid_argument(place + ": axes: make " + short_number(count) + " points, more than " +
+                                std::to_string(most_points));
   return given;
 }
 

@@ -66,8 +66,11 @@ class CombinationScenes {
   std::string values() const {
     std::vector<std::string> texts;
     for (std::size_t group = 0; group < groups_.size(); ++group)
-      for (const std::size_t axis : groups_[group])
-        texts.push_back(axes_[axis].key + " = " + text_of(value_of(axes_[axis], at_[group])));
+      for (const std::size_t axis : groups_[group]) {
+        const InputValue value = value_of(axes_[axis], at_[group]);
+        const bool angle = find_number(axes_[axis].key) && find_number(axes_[axis].key)->quantity.unit == "rad";
+        texts.push_back(axes_[axis].key + " = " + (angle ? in_degrees(std::get<double>(value)) : text_of(value)));
+      }
     return joined(texts);
   }
 

@@ -1,5 +1,7 @@
 #include "studies/text/strict_json.hpp"
 
+#include <algorithm>
+#include <array>
 #include <functional>
 #include <set>
 #include <stdexcept>
@@ -61,6 +63,46 @@ std::string syntax_message(std::string text) {
   return text;
 }
 
+/// The text with a mark for each byte that is no letter of UTF-8: the parser's messages end in the middle of one.
+std::string whole_letters(const std::string& text) {
+  const std::string quoted = Json(text).dump(-1, ' ', false, Json::error_handler_t::replace);
+  return Json::parse(quoted).get<std::string>();
+}
+
+/// The letter in UTF-8 that begins at a place of a text.
+std::string_view letter_at(std::string_view text, std::size_t at) {
+  std::size_t size = 1;
+  while (at + size < text.size() && (static_cast<unsigned char>(text[at + size]) & 0xC0) == 0x80) ++size;
+  return text.substr(at, size);
+}
+
+/// What people mean by what is no JSON; empty if that is not known.
+/// @param read  how many letters of the text the parser has read
+std::string plain_cause(std::string_view text, std::size_t read) {
+  if (read == 0 || read > text.size()) return "";
+  const std::size_t last = read - 1;
+  constexpr std::array<std::string_view, 8> quotes{"“", "”", "„", "‟", "‘", "’", "«", "»"};
+  const std::string letter(letter_at(text, last));
+  if (std::find(quotes.begin(), quotes.end(), letter) != quotes.end())
+    return letter + " is a quote of typography: names and texts stand between straight ones, \"";
+  const auto before = [&](std::size_t at) { return text.find_last_not_of(" \t\r\n", at - 1); };
+  if ((text[last] == '}' || text[last] == ']') && last > 0)
+    if (const std::size_t comma = before(last); comma != std::string_view::npos && text[comma] == ',')
+      return std::string("a comma stands before ") + text[last] + ", and nothing follows it: leave it out";
+  constexpr const char* of_numbers = "0123456789.eE+-";
+  const std::size_t comma = text.find_last_not_of(of_numbers, last);
+  if (comma == std::string_view::npos || comma == 0 || comma == last || text[comma] != ',') return "";
+  const std::size_t end = text.find_first_not_of(of_numbers, comma + 1),
+                    whole = text.find_last_not_of(of_numbers, comma - 1);
+  if (whole == std::string_view::npos || whole + 1 == comma || text[comma + 1] < '0' || text[comma + 1] > '9')
+    return "";
+  const std::string front(text.substr(whole + 1, comma - whole - 1)), back(text.substr(comma + 1, end - comma - 1));
+  return shortened(front + "," + back) + " has a decimal comma: write " + shortened(front + "." + back);
+}
+
+/// Where something stands: "line 3, column 12".
+std::string line_and_column(const std::string& message) { return message.substr(0, message.find(": ")); }
+
 }  // namespace
 
 Json parse_object(std::string_view text, const std::string& place) {
@@ -71,6 +113,10 @@ Json parse_object(std::string_view text, const std::string& place) {
   } catch (const Json::out_of_range& error) {
     throw std::invalid_argument(place + ": " + watch.last_key() + ": must be a finite number (" +
                                 syntax_message(error.what()) + ")");
+  } catch (const Json::parse_error& error) {
+    const std::string message = syntax_message(error.what()), cause = plain_cause(text, error.byte);
+    throw std::invalid_argument(place + ": " +
+                                (cause.empty() ? whole_letters(message) : line_and_column(message) + ": " + cause));
   } catch (const Json::exception& error) {
     throw std::invalid_argument(place + ": " + syntax_message(error.what()));
   }

@@ -74,7 +74,10 @@ std::string as_key(std::string_view name) {
   }
   for (const auto& [usual, others] : usual_headings)
     if (has_word(others, key)) return std::string(usual);
-  return key;
+  const std::size_t gap = name.rfind(' ');  // "Storage Modulus E'": the symbol says more than the name
+  const std::string symbol = gap == std::string_view::npos ? std::string() : modulus_symbol(name.substr(gap + 1));
+  const char* const meant = symbol.ends_with("''") ? "loss_modulus" : "storage_modulus";
+  return !symbol.empty() && as_key(name.substr(0, gap)) == meant ? symbol : key;
 }
 
 /// The unit as the library of units has it.

@@ -249,7 +249,7 @@ struct TableLines {
 MeasuredTable read_measured_table(const std::filesystem::path& file) {
   constexpr std::size_t largest = 100'000'000;  // of measured values
   MeasuredTable table{file.string(), whole_file(file, largest), {}, {}};
-  if (table.text.empty()) throw std::runtime_error(table.file + ": cannot be read or is empty");
+  if (table.text.empty()) refuse_line(table.file, "is empty");
   const std::string plain = plain_lines(table.text);
   const int known_names = line_of_known_names(plain);
   std::istringstream lines(plain);

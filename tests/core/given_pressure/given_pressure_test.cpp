@@ -254,7 +254,7 @@ TEST_CASE("a given pressure refuses what belongs to a body, by name", "[core][gi
   CHECK_THAT(refused([](RollingScene& s) { s.friction_coefficient = 0.1; }),
              StartsWith("friction_coefficient = 0.1: "));
   CHECK_THAT(refused([](RollingScene& s) { s.method = Method::newton; }), StartsWith("method = newton: "));
-  CHECK_THAT(refused([](RollingScene& s) { s.skew_angle = 0.1; }), StartsWith("skew_angle = 0.1: "));
+  CHECK_THAT(refused([](RollingScene& s) { s.skew_angle = 0.1; }), StartsWith("skew_angle = 5.7296 deg: "));
   CHECK_THAT(refused([](RollingScene& s) { s.spacing = 0.04; }), StartsWith("spacing = 0.04: "));
   CHECK_THAT(refused([](RollingScene& s) { s.coating_layers.emplace_back(as_layer(s, 0.001)); }),
              StartsWith("coating_layers: "));

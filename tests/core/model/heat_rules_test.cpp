@@ -88,4 +88,10 @@ TEST_CASE("the laws of shift are asked at the temperatures around, and none is g
                cover.temperature = 300;
              }),
              Contains("coating_layers[0].temperature = 300: not with heat \"on\""));
+  CHECK_THAT(broken_by([&](RollingScene& s) {
+               with_wlf(s).reference_temperature = 293.15;
+               s.temperature = 303.15;
+             }),
+             Contains("temperature = 303.15: has no effect without a shift law") &&
+                 Contains("; coating_layers[0] has one: heat = on finds its temperature from ambient_temperature"));
 }

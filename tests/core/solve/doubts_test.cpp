@@ -31,7 +31,12 @@ TEST_CASE("an answer that breaks a law, gains power or does not balance it is no
   const auto [model, good] = good_answer();
   RollingSolution broken = good;
   broken.law_violation = 1e-6;
-  CHECK_THAT(doubt(model, broken), Contains("a law of contact is violated by 1e-06, more than 1e-08"));
+  CHECK_THAT(doubt(model, broken),
+             Contains("a law of contact is violated by 1e-06, more than 1e-08: take another spacing"));
+  broken.method = Method::spectral;
+  CHECK_THAT(doubt(model, broken), Contains(": take method \"newton\""));
+  broken.method = Method::active_set;
+  CHECK_THAT(doubt(model, broken), Contains(": take method \"newton\", or another spacing"));
   broken = good;
   broken.rolling_resistance *= -1;
   CHECK_THAT(doubt(model, broken), Contains("the body would gain power"));

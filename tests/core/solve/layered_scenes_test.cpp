@@ -295,7 +295,12 @@ TEST_CASE("scenes of several layers that cannot be are refused", "[core][layered
 
   RollingScene thick_coat = scene;
   thick_coat.coating_layers = {like_first(scene, 0.03)};
-  CHECK(first_rule(thick_coat).find("must be thinner than the radius") != std::string::npos);
+  CHECK(first_rule(thick_coat) == "coating_layers[0].layer_thickness = 0.03: must be less than the radius, 0.02 m");
+  thick_coat.coating_layers = {like_first(scene, 0.015), like_first(scene, 0.015)};
+  CHECK(first_rule(thick_coat) ==
+        "coating_layers: layer_thickness = 0.03 together: must be less than the radius, 0.02 m");
+  thick_coat.coating_layers = {like_first(scene, infinite)};
+  CHECK(first_rule(thick_coat).starts_with("coating_layers[0].layer_thickness = \"infinite\": must be less than"));
 
   RollingScene too_fast = scene;
   too_fast.inertia = Inertia::on;

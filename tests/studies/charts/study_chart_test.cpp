@@ -128,6 +128,20 @@ TEST_CASE("the units of a chart of a sphere are those of forces", "[studies][cha
   CHECK(request.curves[0].label == "10 kN");
 }
 
+TEST_CASE("the values of a family have one unit where that is read easily of all of them", "[studies][chart]") {
+  const auto labels = [](std::vector<double> speeds) {
+    const TemporaryDirectory scratch;
+    Study study = speed_and_load();
+    study.axes = {{.key = "load", .values = {1e4, 2e4}}, {.key = "speed", .values = std::move(speeds)}};
+    ResultStore store = stored(scratch, study);
+    std::vector<std::string> all;
+    for (const ChartCurve& curve : stored_chart(store, {.x = "load"}).request.curves) all.push_back(curve.label);
+    return all;
+  };
+  CHECK(labels({0.7937, 1.2599}) == std::vector<std::string>{"0.7937 m/s", "1.2599 m/s"});
+  CHECK(labels({0.01, 10}) == std::vector<std::string>{"10 mm/s", "10 m/s"});
+}
+
 TEST_CASE("the study file's own chart and spacing come before the defaults, and wishes before both",
           "[studies][chart]") {
   const TemporaryDirectory scratch;

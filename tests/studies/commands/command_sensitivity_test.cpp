@@ -43,6 +43,14 @@ TEST_CASE("sensitivity sorts the elasticities of all inputs that are present by 
   CHECK(text.out.find("\nspeed ") < text.out.find("\nload "));
 }
 
+TEST_CASE("sensitivity refuses rows of Sobol' that are no power of two", "[studies][sensitivity]") {
+  const ProgramRun run = run_rollres({"sensitivity", example("paper_cylinder.json"), "--indices", "sobol", "--samples",
+                                      "30", "--range", "load=10 kN/m:30 kN/m"},
+                                     power_law);
+  CHECK(run.status == ExitStatus::wrong_input);
+  CHECK_THAT(run.err, Contains("--samples = 30: must be a power of two with sobol: 16 or 32"));
+}
+
 TEST_CASE("sensitivity gives indices over ranges of a scene and over those of study files", "[studies][sensitivity]") {
   const TemporaryDirectory folder;
   const std::string db = folder / "results.db";

@@ -89,6 +89,13 @@ TEST_CASE("the summary shows values with units, and status and warnings first", 
   CHECK(run.out.find("369.82 µm") != std::string::npos);
   CHECK(run.out.find("half_width") == std::string::npos);
   CHECK(run_rollres({"solve", sphere}, made_up).out.find("357.5 N\n") != std::string::npos);
+  // An error has the unit of its value: not 1 mN/m.
+  const Evaluate with_error = [](const RollingScene& scene) {
+    RollingSolution solution = made_up(scene);
+    solution.rolling_resistance_error = 1e-3;
+    return solution;
+  };
+  CHECK(run_rollres({"solve", cylinder}, with_error).out.find(" 0.001 N/m\n") != std::string::npos);
 }
 
 TEST_CASE("a scene without an answer says so and ends with exit status 1", "[studies][commands]") {

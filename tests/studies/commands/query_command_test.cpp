@@ -130,6 +130,22 @@ TEST_CASE("query takes a temperature on any scale", "[studies][commands]") {
   CHECK(read_filter("temperature>-4 degF").value == "253.15");
 }
 
+TEST_CASE("a bare number of a filter that looks as if it were in another unit is asked about, as in files",
+          "[studies][commands]") {
+  const StudiedWithFields studied;
+  const ProgramRun run = studied.run("query", {"peak_temperature>40"});
+  CHECK(run.status == ExitStatus::wrong_input);
+  CHECK(run.err ==
+        "rollres: peak_temperature = 40: did you mean \"40 degC\"? A number without a unit is in K: write \"40 K\" if "
+        "that is meant\n");
+  for (const char* text : {"temperature>-10", "radius>50", "peak_pressure<=2", "skew_angle=1"})
+    CHECK_THAT(message_of([&] { read_filter(text); }), Contains("did you mean"));
+  for (const char* text :
+       {"temperature>300", "radius>0.05", "peak_pressure<=2 Pa", "radius<=2 m", "half_width=", "speed>50"})
+    CHECK(message_of([&] { read_filter(text); }) == "nothing");
+  CHECK_THAT(studied.run("chart", {"--where", "radius=20"}).err, Contains("did you mean \"20 mm\"?"));
+}
+
 TEST_CASE("query refuses in one line what does not go together", "[studies][commands]") {
   const StudiedWithFields studied;
   const std::vector<std::pair<std::vector<std::string>, std::string>> refusals{

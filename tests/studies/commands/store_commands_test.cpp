@@ -104,6 +104,7 @@ TEST_CASE("a command that is told no database takes rollres.db of its folder, an
   const ProgramRun missing = run_rollres({"list"}, fails_when_fast);
   const ProgramRun swept = run_rollres({"sweep", files.study()}, fails_when_fast);
   const ProgramRun listed = run_rollres({"list"}, fails_when_fast), status = run_rollres({"status"}, fails_when_fast);
+  const ProgramRun of_study = run_rollres({"status", files.study()}, fails_when_fast);
   std::filesystem::current_path(before);
   CHECK(missing.status == ExitStatus::failure);
   CHECK_THAT(missing.err,
@@ -113,6 +114,8 @@ TEST_CASE("a command that is told no database takes rollres.db of its folder, an
         std::vector<std::string>{"speed and load"});
   CHECK_THAT(listed.out, Catch::Contains("speed and load"));
   CHECK_THAT(status.out, Catch::Contains("speed and load"));
+  CHECK(of_study.status == 0);
+  CHECK_THAT(of_study.out, Catch::Contains("; 0 missing"));
 }
 
 TEST_CASE("list tells the studies of a database and how far they are", "[studies][commands]") {

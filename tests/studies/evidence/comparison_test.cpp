@@ -136,8 +136,8 @@ TEST_CASE("compare prints the worst points first and tells by its exit status wh
         "6 points match, 2 are only in the first study, 2 only in the second\n"
         "2 have an answer in one study only\n"
         "rolling_resistance: relative difference at most 0.001, rms 0.000711, at 4 points\n\n"
-        "position  speed   load  output              first  second  difference\n"
-        "       3      2  10000  rolling_resistance     40   40.04       0.001\n");
+        "position  speed  load   output              first  second  difference\n"
+        "       3  2 m/s  10000  rolling_resistance     40   40.04       0.001\n");
   CHECK(text.err == "3 smaller differences are not shown; --limit sets how many are\n");
 
   CHECK(compared.command({"fine", "coarse", "--within", "1"}).status == ExitStatus::no_answer);
@@ -152,6 +152,10 @@ TEST_CASE("compare prints the worst points first and tells by its exit status wh
   CHECK(json["differences"].size() == 4);
   CHECK(json["differences"][0]["speed"] == 2);
   CHECK(json["half_answered"] == 2);
+}
+
+TEST_CASE("the help of compare says that it takes several studies", "[studies][compare]") {
+  CHECK(run_rollres({"compare", "--help"}, closed_form).out.find(" studies...\n") != std::string::npos);
 }
 
 TEST_CASE("compare refuses in one line what it cannot do", "[studies][compare]") {

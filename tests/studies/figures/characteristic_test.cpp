@@ -106,4 +106,12 @@ TEST_CASE("a characteristic without friction, of one point or of several familie
   const std::string file = swept(several, skewed_cylinder(), {0, 0.02}, {{"load", {1e4, 2e4}}});
   CHECK_THAT(run_rollres({"characteristic", "--db", file, "--axis", "skew_angle"}, by_core).err,
              Contains("load has 2 values; a characteristic shows one, choose it with --where 'load=10 kN/m'"));
+  const TemporaryDirectory straight;
+  const std::string unturned = (straight / "results.db").string();
+  run_sweep(Study{.name = "belt", .base = skewed_cylinder(), .axes = {{"speed", {0.1, 0.2}}}}, by_core, unturned);
+  CHECK_THAT(run_rollres({"characteristic", "--db", unturned}, by_core).err,
+             Contains("belt: has no axis along which a characteristic could go: skew_angle, ") &&
+                 Contains("--axis takes any: speed"));
+  CHECK_THAT(run_rollres({"characteristic", "--db", unturned, "--axis", "skew_angle"}, by_core).err,
+             Contains("belt: --axis = skew_angle: all points have the same; axes are speed"));
 }

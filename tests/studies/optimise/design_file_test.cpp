@@ -130,6 +130,7 @@ TEST_CASE("what is wrong in the study file of an optimisation is refused with fi
   CHECK_THAT(refusal(good + R"("over_scenes": "median")"), Contains("must be one of sum, mean, max, min"));
   CHECK_THAT(refusal(good + R"("pareto": {"minimise": "load"})"), Contains("pareto: points is missing"));
   CHECK_THAT(refusal(good + R"("pareto": {"points": 3})"), Contains("pareto: minimise: there must be a formula"));
-  CHECK_THAT(refusal(good + R"("axes": {})"), Contains("axes = {}: unknown key"));
+  CHECK_THAT(refusal(good + R"("axes": {})"),
+             Contains("axes = {}: a study has axes; a design has variables in their place"));
   CHECK_THAT(refusal(good + R"("set": {"layer_thickness": 1})"), Contains("set: layer_thickness = 1"));
 }

@@ -83,6 +83,27 @@ TEST_CASE("a bare temperature that looks like degrees Celsius is refused", "[stu
              Contains("shift_temperatures[0] = 20: did you mean \"20 degC\"?"));
 }
 
+TEST_CASE("a bare angle that looks like degrees, and a bare molar energy like kJ/mol, are refused",
+          "[studies][scene_io]") {
+  CHECK(refusal({"skew_angle=5"}) ==
+        "--set: skew_angle = 5: did you mean \"5 deg\"? A number without a unit is in rad: write \"5 rad\" if that is "
+        "meant");
+  CHECK_THAT(refusal({"skew_angle=-0.5"}), Contains("did you mean \"-0.5 deg\"?"));
+  CHECK_THAT(refusal({"skew_angle=100 deg"}), Contains("must be from -1.4 to 1.4 rad"));
+  CHECK(parse_scene(plain, "text", {"skew_angle=0.1"}).skew_angle == 0.1);
+  CHECK(parse_scene(plain, "text", {"skew_angle=0.5 rad"}).skew_angle == 0.5);
+  const std::vector<std::string> shift{"temperature=40 degC", "reference_temperature=20 degC"};
+  const auto with_energy = [&](const std::string& energy) {
+    std::vector<std::string> set = shift;
+    set.push_back("activation_energy=" + energy);
+    return refusal(set);
+  };
+  CHECK_THAT(with_energy("50"), Contains("activation_energy = 50: did you mean \"50 kJ/mol\"?"));
+  CHECK(with_energy("5e4") == "nothing");
+  CHECK(with_energy("50 kJ/mol") == "nothing");
+  CHECK(with_energy("50 J/mol") == "nothing");
+}
+
 TEST_CASE("axes and ranges are read as scenes are", "[studies][scene_io]") {
   const TemporaryDirectory folder;
   const auto axis = [&](const std::string& values) {

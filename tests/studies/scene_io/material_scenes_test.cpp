@@ -303,8 +303,8 @@ TEST_CASE("a loss tangent stands for one of the moduli, and columns are left out
              Contains("rubber.csv: ignore_columns: stain: the table has no such column"));
   folder.write("scene.json", scene_text(R"("master_curve_file": "rubber.csv", "ignore_columns": ["strain"])"));
   CHECK_THAT(message_of([&] { read_scene(folder / "scene.json"); }),
-             Contains("stiffening is missing: material \"zener\" needs it (1); frequencies is given, for "
-                      "material \"master_curve\""));
+             Contains("stiffening is missing: material \"zener\", the default, needs it (a number); "
+                      "master_curve_file is given, for material \"master_curve\""));
   CHECK_THAT(message_of([&] { scene_of(strained, R"(, "ignore_columns": "strain")"); }),
              Contains("ignore_columns = \"strain\": must be a list of names"));
 }
@@ -321,7 +321,7 @@ TEST_CASE("a master curve that is not passive, or no table, is refused with its 
   CHECK(refusal_of_table("frequency [Hz],storage_modulus [MPa]\n1,3\n") == "rubber.csv: has no column loss_modulus");
   CHECK(refusal_of_table("frequency [Hz],storage_modulus [MPa],lossmodulus [MPa]\n1,3,1\n") ==
         "rubber.csv: lossmodulus: unknown column; did you mean loss_modulus?");
-  CHECK(refusal_of_table(head) == "scene.json: frequencies: must have at least two different values");
+  CHECK(refusal_of_table(head) == "rubber.csv: must have rows at two different frequencies at least");
 }
 
 TEST_CASE("lists of inputs have units, are overridden whole and cannot vary", "[studies][material]") {

@@ -67,6 +67,7 @@ TEST_CASE("what a table cannot mean is refused in one message", "[studies][text]
       curve_of("frequency [Hz],E' [MPa],E'' [MPa],Torque [N],Lossmodulus,Torsion\n1,2,3,4,5,6\n"),
       Contains("dma.csv: Torque: unknown column; Lossmodulus: unknown column; did you mean loss_modulus?; Torsion: "
                "unknown column; known are frequency, "));
+  CHECK(curve_of("") == "dma.csv: is empty");
   CHECK(curve_of("frequency [Hz],E',E''\n1,2,3\n") ==
         "dma.csv, line 2: E': the first line must name a unit of stress (Pa)");
   CHECK_THAT(curve_of(std::string("\xFF\xFE", 2) + "f"), Contains("UTF-16"));  // half a letter

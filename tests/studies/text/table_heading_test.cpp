@@ -25,6 +25,9 @@ TEST_CASE("headings are read as instruments and spreadsheets write them", "[stud
   CHECK(read_heading("E' (MPa)") == "E'|MPa");
   CHECK(read_heading("e’’ [Pa]") == "E''|Pa");
   CHECK(read_heading("G\" / kPa") == "G''|kPa");
+  CHECK(read_heading("Storage Modulus E' [MPa]") == "E'|MPa");
+  CHECK(read_heading("Verlustmodul G\" / kPa") == "G''|kPa");
+  CHECK(read_heading("Loss Modulus E' [MPa]") == "loss_modulus_e'|MPa");  // one of the two is wrong
   CHECK(read_heading("Tan(delta)") == "tan_delta|");
   CHECK(read_heading("tan(delta) (-)") == "tan_delta|1");
   CHECK(read_heading("Tan δ [-]") == "tan_delta|1");
