@@ -43,13 +43,26 @@ std::string value_text(const Quantity& quantity, const Value& value, std::string
     return "";  // texts stand at the top, layers' inputs one by one
 }
 
-/// What the inputs of a further layer are by default.
-std::map<std::string_view, std::string> usual_layer() {
-  std::map<std::string_view, std::string> texts;
-  const BondedLayer layer;
-  visit_layer_inputs(layer, [&](const Quantity& quantity, const auto& value) {
+/// What inputs are by default.
+using UsualTexts = std::map<std::string_view, std::string>;
+
+auto into(UsualTexts& texts) {
+  return [&texts](const Quantity& quantity, const auto& value) {
     texts[quantity.key] = value_text(quantity, value, quantity.unit);
-  });
+  };
+}
+
+UsualTexts usual_layer() {
+  UsualTexts texts;
+  const BondedLayer layer;
+  visit_layer_inputs(layer, into(texts));
+  return texts;
+}
+
+UsualTexts usual_scene() {
+  UsualTexts texts;
+  const RollingScene scene;
+  visit_inputs(scene, into(texts));
   return texts;
 }
 
@@ -77,20 +90,26 @@ std::string summary(const RollingScene& scene, const RollingSolution& solution) 
   std::string text = "status   " + headline(solution) + '\n';
   if (!solution.reason.empty()) text += "reason   " + solution.reason + '\n';
   for (const std::string& warning : solution.warnings) text += "warning  " + warning + '\n';
-  if (!solution.model.empty()) text += "model    " + solution.model + '\n';
-
   const std::vector<std::string> nameless(3);
   Table inputs{nameless, {}}, outputs{nameless, {}};
   const auto add = [](Table& table, const Quantity& quantity, std::string_view symbol, const std::string& value) {
     if (!value.empty()) table.rows.push_back({std::string(quantity.key), std::string(symbol), value});
   };
-  const std::map<std::string_view, std::string> usual = usual_layer();
+  const UsualTexts in_layer = usual_layer(), in_scene = usual_scene();
+  std::vector<std::string> unused;
   visit_all_inputs(scene, [&](const Quantity& quantity, const auto& value) {
-    if (is_idle(scene, quantity.key)) return;
     const std::string shown = value_text(quantity, value, quantity.unit_for(body_of(scene)));
     const std::optional<LayerKey> layered = layer_key(quantity.key);
-    if (!layered || shown != usual.at(layered->input)) add(inputs, quantity, symbol_beside_name(quantity), shown);
+    const bool usual = layered && shown == in_layer.at(layered->input);
+    if (is_idle(scene, quantity.key)) {
+      if (!shown.empty() && !usual && (layered || shown != in_scene.at(quantity.key)))
+        unused.push_back(std::string(quantity.key) + " = " + shown);
+    } else if (!usual) {
+      add(inputs, quantity, symbol_beside_name(quantity), shown);
+    }
   });
+  if (!unused.empty()) text += "unused   " + joined(unused, ", ") + ": nothing in this scene asks for it\n";
+  if (!solution.model.empty()) text += "model    " + solution.model + '\n';
   std::map<std::string_view, double> values;
   visit_outputs(solution, [&](const Quantity& quantity, const auto& value) {
     using Value = std::decay_t<decltype(value)>;
@@ -99,6 +118,8 @@ std::string summary(const RollingScene& scene, const RollingSolution& solution) 
     if constexpr (std::is_floating_point_v<Value>) {
       shown = error_text(values, quantity.key, value, unit);
       values[quantity.key] = value;
+      if (quantity.key == "rolling_resistance" && std::abs(value) < solution.rolling_resistance_error)
+        shown = value_text(quantity, value, unit) + ", less than its error";
     }
     if constexpr (std::is_arithmetic_v<Value> || std::is_same_v<Value, std::vector<double>>)
       add(outputs, quantity, quantity.symbol, shown.empty() ? value_text(quantity, value, unit) : shown);
