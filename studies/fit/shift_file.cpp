@@ -6,6 +6,7 @@
 #include "studies/fit/fit_keys.hpp"
 #include "studies/scene_io/master_curve_file.hpp"
 #include "studies/text/measured_table.hpp"
+#include "studies/text/readable_number.hpp"
 #include "studies/text/strict_json.hpp"
 #include "studies/text/units.hpp"
 
