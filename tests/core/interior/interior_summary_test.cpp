@@ -7,6 +7,7 @@
 #include "tests/core/converged.hpp"
 #include "tests/core/interior/layered_scenes.hpp"
 #include "tests/core/paper_scenes.hpp"
+#include "tests/plain_scene.hpp"
 
 // Covers cylinder_inside and interior_lines, too.
 
@@ -58,6 +59,33 @@ TEST_CASE("the inside of a skewed cylinder loses what its surface takes up, unde
   scene.drive = Drive::top_force;
   const RollingSolution smooth = converged(scene);
   CHECK(smooth.interior_loss == Approx(smooth.viscous_loss).epsilon(1e-5));
+}
+
+TEST_CASE("inside a thick ring bonds bear what comes round, too", "[core][interior][ring]") {
+  // By the equations in polar coordinates for whole harmonics, in another program; of an endless ring 1993 and 6921 Pa.
+  RollingScene scene = plain_scene(1, 2000);
+  scene.radius = 0.05;
+  scene.layer_thickness = 0.2;
+  scene.material = MaterialModel::elastic;
+  scene.static_shear_modulus = 100e9;
+  scene.friction_coefficient = 0;
+  scene.inertia = Inertia::off;
+  scene.drive = Drive::free;
+  scene.interior = Interior::on;
+  BondedLayer outer, inner;
+  outer.layer_thickness = 0.004;
+  outer.poisson_ratio = 0.45;
+  outer.static_shear_modulus = 8e6;
+  outer.stiffening = 0.5;
+  outer.creep_time = 0.001;
+  inner.layer_thickness = 0.02;
+  inner.static_shear_modulus = 1e6;
+  inner.stiffening = 2;
+  inner.creep_time = 0.1;
+  scene.coating_layers = {outer, inner};
+  const RollingSolution s = converged(scene);
+  CHECK(s.bond_tensions.at(1) == Approx(2139).epsilon(3e-3));
+  CHECK(s.bond_tensions.at(2) == Approx(7070).epsilon(3e-3));
 }
 
 TEST_CASE("the half-length on a grid follows the contact smoothly, and is that of continuous edges as cells shrink",

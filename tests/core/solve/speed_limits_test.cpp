@@ -6,6 +6,7 @@
 #include "core/solve/rolling_contact.hpp"
 #include "tests/catch.hpp"
 #include "tests/core/paper_scenes.hpp"
+#include "tests/plain_scene.hpp"
 
 using namespace rollres;
 
@@ -158,6 +159,26 @@ TEST_CASE("at a fixed ratio of memory to contact the resistance grows with the p
   sphere.spacing = a / 50;
   CHECK(exponent(line, a, 1. / 5) == Approx(6. / 5).epsilon(0.015));
   CHECK(exponent(sphere, a, 1. / 6) == Approx(7. / 6).epsilon(0.015));
+}
+
+TEST_CASE("a train has as many waves as its cells need", "[core][period]") {
+  // 2000 waves of this period are longer than two cells: the nodes did not tell neighbours apart, and there was no
+  // answer.
+  RollingScene scene = plain_scene(0.178921197955618, 7222.301156825699);
+  scene.radius = 0.021880577943722744;
+  scene.layer_thickness = 0.0008747438699317015;
+  scene.poisson_ratio = 0.13071605589156693;
+  scene.material = MaterialModel::prony;
+  scene.static_shear_modulus = 988284.4676928106;
+  scene.relaxation_times = {0.009773814637519442, 0.010117365214999872, 0.012436258913859325, 0.02896703927121182};
+  scene.relaxation_moduli = {200655.61510504578, 2107249.7339200107, 137463.363878565, 234193.42876834213};
+  scene.friction_coefficient = 0;
+  scene.inertia = Inertia::on;
+  scene.period = 0.2137653075991704;
+  const RollingSolution found = solve(scene);
+  REQUIRE(found.status == Status::converged);
+  scene.series_terms = 20000;
+  CHECK(found.rolling_resistance == Approx(solve(scene).rolling_resistance).epsilon(2e-5));
 }
 
 TEST_CASE("at 30 m/s a single passage over a memory of 7.5 m is a train of bodies 200 m apart",
