@@ -23,31 +23,6 @@ double misfit_of(const FitProblem& problem, const Prediction& prediction) {
   return std::isfinite(found) ? found : infinite;
 }
 
-/// What a parameter's values are looked for between, scaled.
-struct UsualSpan {
-  double lowest, highest;
-};
-
-std::vector<UsualSpan> spans_of(const FitProblem& problem, const FitOptions& options) {
-  constexpr double beside_closed_forms = 1;
-  std::vector<UsualSpan> spans;
-  for (std::size_t j = 0; j < problem.size(); ++j) {
-    const FitParameter& parameter = problem.parameters[j];
-    const Variable& variable = parameter.variable;
-    const FitPoint* const suggested = problem.suggestions.empty() ? nullptr : &problem.suggestions.front();
-    const bool closed = suggested && (*suggested)[j] != parameter.start;
-    const double centre = variable.scaled(closed ? (*suggested)[j] : parameter.start);
-    const double reach = closed ? beside_closed_forms : std::log(options.reach);
-    UsualSpan span{centre - reach, centre + reach};
-    if (std::isfinite(parameter.usual_lowest))
-      span = {variable.scaled(parameter.usual_lowest), variable.scaled(parameter.usual_highest)};
-    span.lowest = std::clamp(span.lowest, variable.scaled(variable.lowest), variable.scaled(variable.highest));
-    span.highest = std::clamp(span.highest, span.lowest, variable.scaled(variable.highest));
-    spans.push_back(span);
-  }
-  return spans;
-}
-
 /// The given start, what is suggested, and points between.
 std::vector<FitPoint> candidates_of(const FitProblem& problem, const FitOptions& options) {
   const Eigen::Index for_each_start = problem.estimate ? 3 : 5;
@@ -82,6 +57,26 @@ std::vector<FitPoint> not_far_worse(const FitProblem& problem, std::vector<FitPo
 }
 
 }  // namespace
+
+std::vector<UsualSpan> spans_of(const FitProblem& problem, const FitOptions& options) {
+  constexpr double beside_closed_forms = 1;
+  std::vector<UsualSpan> spans;
+  for (std::size_t j = 0; j < problem.size(); ++j) {
+    const FitParameter& parameter = problem.parameters[j];
+    const Variable& variable = parameter.variable;
+    const FitPoint* const suggested = problem.suggestions.empty() ? nullptr : &problem.suggestions.front();
+    const bool closed = suggested && (*suggested)[j] != parameter.start;
+    const double centre = variable.scaled(closed ? (*suggested)[j] : parameter.start);
+    const double reach = closed ? beside_closed_forms : std::log(options.reach);
+    UsualSpan span{centre - reach, centre + reach};
+    if (std::isfinite(parameter.usual_lowest))
+      span = {variable.scaled(parameter.usual_lowest), variable.scaled(parameter.usual_highest)};
+    span.lowest = std::clamp(span.lowest, variable.scaled(variable.lowest), variable.scaled(variable.highest));
+    span.highest = std::clamp(span.highest, span.lowest, variable.scaled(variable.highest));
+    spans.push_back(span);
+  }
+  return spans;
+}
 
 std::vector<std::size_t> few_rows(const FitProblem& problem) {
   std::vector<std::size_t> measured;

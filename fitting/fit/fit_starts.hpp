@@ -20,6 +20,12 @@ std::vector<std::size_t> few_rows(const FitProblem& problem);
 /// Whether all parameters of two points are nearer than a distance, scaled.
 bool beside(const FitProblem& problem, const FitPoint& a, const FitPoint& b, double distance);
 
+/// What a parameter's values are looked for between, scaled.
+struct UsualSpan {
+  double lowest, highest;
+};
+std::vector<UsualSpan> spans_of(const FitProblem& problem, const FitOptions& options);
+
 /// The problem of a few rows that a descent from afar can do with, or the whole where it has few.
 FitProblem small_problem(const FitProblem& problem);
 

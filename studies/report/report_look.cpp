@@ -1,6 +1,7 @@
 #include "studies/report/report_look.hpp"
 
 #include <map>
+#include <string>
 
 namespace rollres::html {
 
