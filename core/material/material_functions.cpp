@@ -1,10 +1,10 @@
 #include "core/material/material_functions.hpp"
 
-#include <Eigen/Core>
-#include <algorithm>
 #include <cmath>
 
-#include "core/algebra/dense_algebra.hpp"
+#include "core/material/free_series.hpp"
+#include "core/material/relative_rows.hpp"
+#include "core/material/smooth_spectrum.hpp"
 #include "core/numerics/solution_limits.hpp"
 
 namespace rollres {
@@ -65,33 +65,21 @@ std::vector<LossPeak> loss_peaks(const CreepSpectrum& creep) {
 
 namespace {
 
-/// The least squares of relative residuals, at even retardation times from a decade below the rows to one above.
-CreepSpectrum nearest_creep(const std::vector<double>& times, const std::vector<double>& compliances) {
-  constexpr double per_decade = 8, most = 200;
-  const auto [shortest, longest] = std::minmax_element(times.begin(), times.end());
-  const double decades = std::log10(*longest / *shortest) + 2;
-  const int count = checked_count(std::ceil(std::min(most, per_decade * decades)), "retardation times");
-  std::vector<double> retardation;
-  for (int j = 0; j <= count; ++j) retardation.push_back(0.1 * *shortest * std::pow(10, decades * j / count));
-  const Eigen::Index rows = std::ssize(times);
-  const Eigen::Map<const Eigen::ArrayXd> t(times.data(), rows), compliance(compliances.data(), rows);
-  Eigen::MatrixXd a(rows, count + 2);
-  a.col(0) = 1 / compliance;
-  for (int j = 0; j <= count; ++j) a.col(j + 1) = -(-t / retardation[static_cast<std::size_t>(j)]).expm1() / compliance;
-  // Any creep at once is a spring; without one the modulus would be infinite at once.
-  constexpr double least = 1e-3;
-  const double at_once = least * compliance.minCoeff();
-  const Eigen::VectorXd found = nonnegative_least_squares(a, (1 - at_once / compliance).matrix());
-  CreepSpectrum creep{at_once + found(0), {}};
-  for (int j = 0; j <= count; ++j)
-    if (found(j + 1) > 0) creep.terms.push_back({found(j + 1), retardation[static_cast<std::size_t>(j)]});
+/// Few retardation times or a smooth spectrum, whichever the rows are more likely on. Without the advantage that few
+/// terms have in a master curve: rows by few terms that noise suggests would show that curve's fit no others.
+CreepSpectrum likelier_creep(const std::vector<double>& times, const std::vector<double>& compliances) {
+  const RelativeRows rows = RelativeRows::of_creep(times, compliances);
+  const SpectrumFit smooth = smooth_spectrum(rows), few = free_series(rows, smooth.evidence);
+  const PronySeries found = ordered(few.evidence > smooth.evidence ? few.series : smooth.series);
+  CreepSpectrum creep{found.static_modulus, {}};
+  for (const PronySeries::Term& term : found.terms) creep.terms.push_back({term.modulus, term.time});
   return creep;
 }
 
 }  // namespace
 
 std::vector<double> relaxation_of_creep(const std::vector<double>& times, const std::vector<double>& compliances) {
-  const CreepSpectrum creep = nearest_creep(times, compliances);
+  const CreepSpectrum creep = likelier_creep(times, compliances);
   const RelaxationSpectrum relaxation = relaxation_spectrum(creep);
   std::vector<double> moduli;
   for (std::size_t row = 0; row < times.size(); ++row)

@@ -36,8 +36,8 @@ std::vector<LossPeak> loss_peaks(const CreepSpectrum& creep);
 /// The relaxation modulus G(t) of rows of a creep test [Pa].
 ///
 /// G(t) J(t), which is at most 1, hardly depends on the material: of a power law t^n it is sin(pi n)/(pi n) (Ferry
-/// 1980, Viscoelastic Properties of Polymers, ch. 3). It is taken from the non-negative spectrum of creep that meets
-/// the table best, and the measured values divide it: an error of J is one of as many percent in G.
+/// 1980, Viscoelastic Properties of Polymers, ch. 3). It is taken from a spectrum of creep, few terms of free times or
+/// a smooth one as of a master curve, and the measured values divide it: an error of J is one of as many percent in G.
 /// @param times [s], compliances [1/Pa]  positive, of the same length, in any order
 std::vector<double> relaxation_of_creep(const std::vector<double>& times, const std::vector<double>& compliances);
 

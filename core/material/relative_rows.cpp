@@ -17,33 +17,44 @@ namespace {
 constexpr double noticeable_tangent = 1e-3;
 /// Smallest share of the lowest storage modulus that stays at rest where nothing says it.
 constexpr double share_at_rest = 0.1;
+/// Any creep at once is a spring; without one the modulus would be infinite at once.
+constexpr double share_at_once = 1e-3;
 
 }  // namespace
 
 RelativeRows::RelativeRows(const MasterCurve& curve)
-    : is_relaxation_(curve.is_relaxation()), free_rest_(curve.static_modulus == 0) {
+    : RelativeRows(curve, curve.is_relaxation() ? Kind::relaxation : Kind::moduli) {}
+
+RelativeRows RelativeRows::of_creep(const std::vector<double>& times, const std::vector<double>& compliances) {
+  MasterCurve curve{{}, compliances, {}};
+  for (const double time : times) curve.frequencies.push_back(1 / (2 * std::numbers::pi * time));
+  return {curve, Kind::creep};
+}
+
+RelativeRows::RelativeRows(const MasterCurve& curve, Kind kind) : kind_(kind), free_rest_(curve.static_modulus == 0) {
   const Eigen::Index rows = std::ssize(curve.frequencies);
   omega_ = 2 * std::numbers::pi * Eigen::Map<const Eigen::VectorXd>(curve.frequencies.data(), rows);
   wanted_.resize(rows + std::ssize(curve.loss));
   wanted_ << Eigen::Map<const Eigen::VectorXd>(curve.storage.data(), rows),
       Eigen::Map<const Eigen::VectorXd>(curve.loss.data(), std::ssize(curve.loss));
   size_ = wanted_;
-  if (!is_relaxation_) size_.tail(rows) = wanted_.tail(rows).cwiseMax(noticeable_tangent * wanted_.head(rows));
+  if (kind_ == Kind::moduli) size_.tail(rows) = wanted_.tail(rows).cwiseMax(noticeable_tangent * wanted_.head(rows));
   noise_ = Eigen::VectorXd::Ones(wanted_.size());
-  rest_ = free_rest_ ? share_at_rest * wanted_.head(rows).minCoeff() : curve.static_modulus;
+  const double share = kind_ == Kind::creep ? share_at_once : share_at_rest;
+  rest_ = free_rest_ ? share * wanted_.head(rows).minCoeff() : curve.static_modulus;
   order_ = sorted_places(std::ssize(curve.frequencies), [&](Eigen::Index row) { return omega_(row); });
-  loss_ = is_relaxation_ ? loss_of_relaxation() : Eigen::VectorXd(size_.tail(rows));
+  loss_ = kind_ == Kind::moduli ? Eigen::VectorXd(size_.tail(rows)) : loss_over_time();
 }
 
-Eigen::VectorXd RelativeRows::loss_of_relaxation() const {
+Eigen::VectorXd RelativeRows::loss_over_time() const {
   Eigen::VectorXd loss(rows());
   for (Eigen::Index i = 0; i < rows(); ++i) {
     const Eigen::Index here = order_[static_cast<std::size_t>(i)],
                        below = order_[static_cast<std::size_t>(std::max<Eigen::Index>(i - 1, 0))],
                        above = order_[static_cast<std::size_t>(std::min(i + 1, rows() - 1))];
     const double apart = std::max(std::log(omega_(above) / omega_(below)), 0.1);
-    loss(here) =
-        std::max(std::numbers::pi / 2 * (wanted_(above) - wanted_(below)) / apart, noticeable_tangent * wanted_(here));
+    const double rise = kind_ == Kind::creep ? wanted_(below) - wanted_(above) : wanted_(above) - wanted_(below);
+    loss(here) = std::max(std::numbers::pi / 2 * rise / apart, noticeable_tangent * wanted_(here));
   }
   return loss;
 }
@@ -60,8 +71,10 @@ Eigen::MatrixXd RelativeRows::responses(const std::vector<double>& times) const 
   Eigen::MatrixXd a(equations(), std::ssize(times) + (free_rest_ ? 1 : 0));
   for (Eigen::Index j = 0; j < std::ssize(times); ++j) {
     const Eigen::ArrayXd turn = omega_.array() * times[static_cast<std::size_t>(j)];
-    if (is_relaxation_)
+    if (kind_ == Kind::relaxation)
       a.col(j) = (-1 / turn).exp();
+    else if (kind_ == Kind::creep)
+      a.col(j) = -(-1 / turn).expm1();
     else
       a.col(j) << (1 - 1 / (1 + turn.square())), turn / (1 + turn.square());
   }
@@ -74,8 +87,10 @@ Eigen::MatrixXd RelativeRows::slopes(const std::vector<double>& times) const {
   for (Eigen::Index j = 0; j < std::ssize(times); ++j) {
     const Eigen::ArrayXd turn = omega_.array() * times[static_cast<std::size_t>(j)];
     const Eigen::ArrayXd square = turn.square(), whole = (1 + square).square();
-    if (is_relaxation_)
+    if (kind_ == Kind::relaxation)
       a.col(j) = (-1 / turn).exp() / turn;
+    else if (kind_ == Kind::creep)
+      a.col(j) = -(-1 / turn).exp() / turn;
     else
       a.col(j) << 2 * square / whole, turn * (1 - square) / whole;
   }

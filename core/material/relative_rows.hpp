@@ -5,7 +5,8 @@
 /// Residuals are relative, of the storage moduli first and then of the loss moduli: rolling resistance follows the
 /// loss, so that a percent of it weighs as much as one of the storage, however small the loss tangent is (down to
 /// noticeable_tangent, less than which counts as so much). Those of a table of relaxation are of G(t), at the
-/// frequencies 1/t.
+/// frequencies 1/t. Those of a table of creep are of J(t): what is said of moduli then holds of the compliances of
+/// retardation times, and what is at rest is the creep at once.
 
 #include <Eigen/Core>
 #include <vector>
@@ -19,6 +20,9 @@ class RelativeRows {
   /// All rows equally certain.
   /// @param curve with at least two different frequencies
   explicit RelativeRows(const MasterCurve& curve);
+
+  /// @param times [s], compliances [1/Pa]  positive, of the same length
+  static RelativeRows of_creep(const std::vector<double>& times, const std::vector<double>& compliances);
 
   /// The same rows with deviations of their errors over the usual one, one for each equation.
   RelativeRows with_noise(const Eigen::VectorXd& noise) const;
@@ -51,13 +55,14 @@ class RelativeRows {
  private:
   Eigen::VectorXd omega_, wanted_, loss_, noise_;
   Eigen::VectorXd size_;  // what a residual of 1 is, for usual noise
-  bool is_relaxation_;
+  enum class Kind { moduli, relaxation, creep } kind_;
   std::vector<Eigen::Index> order_;  // of ascending frequencies
   double rest_;
   bool free_rest_;
 
-  /// About G"(1/t) = (pi/2) |dG/d ln t|.
-  Eigen::VectorXd loss_of_relaxation() const;
+  RelativeRows(const MasterCurve& curve, Kind kind);
+  /// About G"(1/t) = (pi/2) |dG/d ln t|, and likewise of J.
+  Eigen::VectorXd loss_over_time() const;
 };
 
 /// The non-negative moduli of least misfit at fixed times, the last at rest where that is free [Pa].

@@ -224,6 +224,9 @@ Json lists_over_time(const MeasuredTable& table) {
                             values = measured_numbers(table, column, modulus ? "Pa" : "1/Pa", positive);
   refuse_one_place(table, times, "times");
   refuse_against_time(table, column, times, values, modulus ? 1 : -1);
+  // The way from creep grows with the decades. Those of a scene's times:
+  constexpr Range time_range{.lowest = 1e-40, .highest = 1e40};
+  if (!modulus) measured_numbers(table, table.needed("time"), "s", time_range, time_range.rule() + " s");
   return {{"material", std::string(name_of(MaterialModel::relaxation_curve))},
           {"relaxation_times", times},
           {"relaxation_moduli", modulus ? values : relaxation_of_creep(times, values)}};

@@ -52,14 +52,24 @@ double farthest(const MaterialInputs& layer) {
   return most;
 }
 
+/// The paper's cylinder on a Prony solid that is still to be given.
+RollingScene without_friction() {
+  RollingScene solid = paper_cylinder();
+  solid.friction_coefficient = 0;
+  solid.spacing.reset();
+  solid.inertia = Inertia::off;
+  solid.material = MaterialModel::prony;
+  return solid;
+}
+
 }  // namespace
 
 TEST_CASE("exact rows of relaxation or of creep give a Prony solid's storage and loss back inside their band",
           "[core][material]") {
   const DrawnTest test = drawn(0, 0);
-  // Relaxation is linear in the series' moduli and loses nothing; creep goes through G(t) J(t) of even times.
+  // Relaxation is linear in the series' moduli and loses nothing; creep goes through G(t) J(t) of times that move.
   CHECK(farthest(relaxation_curve(test.times, test.relaxation)) < 1e-4);
-  CHECK(farthest(relaxation_curve(test.times, relaxation_of_creep(test.times, test.creep))) < 5e-3);
+  CHECK(farthest(relaxation_curve(test.times, relaxation_of_creep(test.times, test.creep))) < 1e-4);
 }
 
 TEST_CASE("the modulus of a power law's creep is sin(pi n)/(pi n) over its compliance", "[core][material]") {
@@ -79,11 +89,7 @@ TEST_CASE("the modulus of a power law's creep is sin(pi n)/(pi n) over its compl
 
 TEST_CASE("rolling on noisy rows of relaxation and of creep costs what it does on the solid, within the stated error",
           "[core][material][rolling_contact]") {
-  RollingScene solid = paper_cylinder();
-  solid.friction_coefficient = 0;
-  solid.spacing.reset();
-  solid.inertia = Inertia::off;
-  solid.material = MaterialModel::prony;
+  RollingScene solid = without_friction();
   solid.static_shear_modulus = three_terms.static_modulus;
   for (const PronySeries::Term& term : three_terms.terms) {
     solid.relaxation_times.push_back(term.time);
@@ -111,4 +117,51 @@ TEST_CASE("rolling on noisy rows of relaxation and of creep costs what it does o
   }
   CAPTURE(outside, all);
   CHECK(outside <= 3);  // of 60
+}
+
+TEST_CASE("rolling on exact rows of creep of few-term solids costs what it does on them, within the stated error",
+          "[core][material][rolling_contact]") {
+  // Fails where retardation times stay on even ones: 7 of 20 lie outside, one 0.6 % off.
+  std::mt19937_64 generator(1);
+  const auto evenly = [&](double from, double to) {
+    return std::pow(10, std::uniform_real_distribution<double>(from, to)(generator));
+  };
+  RollingScene solid = without_friction();
+  solid.static_shear_modulus = 1e6;
+  solid.load = 3e3;
+  int outside = 0;
+  double farthest_error = 0;
+  for (int draw = 0; draw < 20; ++draw) {
+    PronySeries series{1e6, {}};
+    for (int term = 0; term < 1 + draw % 5; ++term) {
+      const double time = evenly(-4.5, -0.5);
+      series.terms.push_back({evenly(5, 6.7), time});
+    }
+    series = ordered(series);
+    solid.speed = evenly(-1, 1);
+    const int per_decade = draw % 2 == 0 ? 5 : 10;
+    const CreepSpectrum creep = creep_spectrum(series);
+    std::vector<double> times, compliances;
+    for (int i = 0; i <= 7 * per_decade; ++i) {
+      times.push_back(1e-6 * std::pow(10, static_cast<double>(i) / per_decade));
+      compliances.push_back(creep_compliance(creep, times.back()));
+    }
+    solid.relaxation_times.clear();
+    solid.relaxation_moduli.clear();
+    for (const PronySeries::Term& term : series.terms) {
+      solid.relaxation_times.push_back(term.time);
+      solid.relaxation_moduli.push_back(term.modulus);
+    }
+    const double truth = solve(solid).rolling_resistance;
+    MaterialInputs layer = relaxation_curve(times, relaxation_of_creep(times, compliances));
+    layer.poisson_ratio = solid.poisson_ratio;
+    const RollingSolution found = solve(with_material(solid, layer));
+    REQUIRE(found.status == Status::converged);
+    const double missed = std::abs(found.rolling_resistance - truth);
+    outside += missed > found.rolling_resistance_error;
+    farthest_error = std::max(farthest_error, missed / truth);
+  }
+  CAPTURE(outside, farthest_error);
+  CHECK(outside <= 2);
+  CHECK(farthest_error < 2e-3);
 }

@@ -152,6 +152,8 @@ TEST_CASE("tables of relaxation and creep that cannot be are refused by file, ro
       refusal_of_table("time [s],J(t) [1/MPa]\n10,3\n1,5\n") ==
       "rubber.csv, line 2: J(t) [1/MPa] = 3: a creep compliance must not fall with time, as it does from 5 in line 3");
   CHECK(refusal_of_table("time [s],G(t) [MPa]\n0,5\n10,3\n") == "rubber.csv, line 2: time [s] = 0: must be > 0");
+  CHECK(refusal_of_table("time [s],J(t) [1/MPa]\n1e-50,3\n1,5\n") ==
+        "rubber.csv, line 2: time [s] = 1e-50: must be from 1e-40 to 1e+40 s");
   CHECK(
       refusal_of_table("time [s],G(t) [MPa],J(t) [1/MPa]\n1,5,0.2\n10,3,0.33\n") ==
       "rubber.csv: give G(t) or J(t), not both: each row is of relaxation or of creep; ignore_columns leaves one out");
