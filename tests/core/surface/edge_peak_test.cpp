@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/newton/grid_solution.hpp"
+#include "core/solve/model_notes.hpp"
 #include "core/solve/rolling_contact.hpp"
 #include "tests/catch.hpp"
 #include "tests/core/paper_scenes.hpp"

@@ -99,7 +99,7 @@ TEST_CASE("an override takes the place of the input that excludes it", "[studies
   CHECK_FALSE(pressed.spacing.has_value());
 
   const std::string driven = R"({"radius": 0.02, "layer_thickness": 0.005, "static_shear_modulus": 3e6, "stiffening": 1,
-    "creep_time": 0.25, "speed": 0.05, "load": 2e4, "drive": "torque", "driving_torque": "3 N"})";
+    "creep_time": 0.25, "speed": 0.05, "load": 2e4, "friction_coefficient": 0.2, "drive": "torque", "driving_torque": "3 N"})";
   CHECK(parse_scene(driven, "text").driving_torque == 3);
   const RollingScene free = parse_scene(driven, "text", {"drive=free"});
   CHECK(free.drive == Drive::free);

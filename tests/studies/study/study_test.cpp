@@ -83,7 +83,7 @@ TEST_CASE("an axis of drives keeps for each drive what belongs to it", "[studies
   const TemporaryDirectory directory;
   const auto file = directory.write("study.json", R"({"study": "drives", "scene": {"radius": 0.02, "speed": 0.05,
     "layer_thickness": "infinite", "static_shear_modulus": 3e6, "material": "elastic", "load": 2e4,
-    "drive": "torque", "driving_torque": "3 N"}, "axes": {"drive": ["free", "torque", "top_force"]}})");
+    "friction_coefficient": 0.2, "drive": "torque", "driving_torque": "3 N"}, "axes": {"drive": ["free", "torque", "top_force"]}})");
   const auto scenes = points(read_study(file));
   REQUIRE(scenes.size() == 3);
   CHECK_FALSE(scenes[0].driving_torque.has_value());
