@@ -10,11 +10,13 @@ namespace rollres {
 
 namespace {
 
-/// With waves as short as a cell: without those of two cells a train's nodes do not tell neighbours apart.
+/// With waves as short as half a cell of a line, or a cell: without those of two cells a train's nodes do not tell
+/// neighbours apart, and those below take R_r of a line 5e-5 away.
 ContactModel with_waves_of_cells(ContactModel model, const SurfaceGrid& grid) {
+  const double of_cell = model.dimension == 2 ? 2 : 1;
   if (model.period)
-    model.series_terms =
-        std::max(model.series_terms, checked_count(std::ceil(*model.period / grid.spacing_x), "waves of a period"));
+    model.series_terms = std::max(
+        model.series_terms, checked_count(std::ceil(of_cell * *model.period / grid.spacing_x), "waves of a period"));
   return model;
 }
 
