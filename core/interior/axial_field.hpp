@@ -4,10 +4,10 @@
 ///
 /// The same on all planes across the axle, it is antiplane shear: it has no part in the field of the plane
 /// (interior_field.hpp), and that has none in it. A wave e^{ikx} of the traction along the axle is one of
-/// transverse_response.hpp with the moduli G*(-k V); waves end where those of the plane do, as the traction's cells are
-/// wider. Of a ring with radius R antiplane shear is that of flat layers at the depths R ln(R/r), with stresses R/r
-/// times as large. What it adds to the power lost on a line of flow is (V/pi) int_0^inf k Im[J] |tau|^2 dk of both
-/// stresses, to the density sum_m C_m/tau_m |tau - y_m|^2.
+/// transverse_response.hpp with the moduli G*(-k V). The waves are those of the plane, the shortest of which are
+/// shorter than the traction's cells. Of a ring with radius R antiplane shear is that of flat layers at the depths R
+/// ln(R/r), with stresses R/r times as large. What it adds to the power lost on a line of flow is (V/pi) int_0^inf k
+/// Im[J] |tau|^2 dk of both stresses, to the density sum_m C_m/tau_m |tau - y_m|^2.
 
 #include <Eigen/Core>
 #include <vector>
@@ -25,6 +25,7 @@ class AxialField {
  public:
   /// @param medium from the contact away   @param speed V [m/s], negative where material flows backwards
   /// @param flow  speed at which it flows over V > 0   @param fields of a skewed cylinder on a grid
+  /// @param waves of the plane
   AxialField(const LayeredMedium& medium, double speed, double flow, const SurfaceFields& fields, InteriorWaves waves);
 
   /// @param f fields of the plane at the same points, to which those along the axle are added, the density if it is

@@ -55,14 +55,18 @@ InteriorField::InteriorField(LayeredMedium medium, double speed, double flow, co
     for (const MediumLayer& layer : medium_)
       for (const CreepSpectrum::Term& term : layer.material.terms) longest = std::max(longest, speed * term.time);
   const double ends = std::max(std::abs(tractions_.from()), std::abs(tractions_.to()));
-  const double lowest = (half_space_ ? 1e-6 : 1e-4) / longest, widest = phase_per_panel / (reach + ends);
   if (comes_round(speed))
     add_harmonics();
   else
-    add_waves(lowest, widest);
+    add_waves((half_space_ ? 1e-6 : 1e-4) / longest, phase_per_panel / (reach + ends));
   short_compliance_ = medium_.front().material(highest_ * speed).real();
-  if (!fields.shear_y.empty())
-    axial_.emplace(medium_, speed_, flow_, fields, interior_waves(lowest, 0.5 * widest, highest_));
+  if (fields.shear_y.empty()) return;
+  InteriorWaves waves{ArrayXd(std::ssize(waves_)), ArrayXd(std::ssize(waves_))};
+  for (Index i = 0; i < std::ssize(waves_); ++i) {
+    waves.k(i) = waves_[static_cast<std::size_t>(i)].wavenumber;
+    waves.weight(i) = waves_[static_cast<std::size_t>(i)].weight;
+  }
+  axial_.emplace(medium_, speed_, flow_, fields, std::move(waves));
 }
 
 double depth_of(const LayeredMedium& medium, const InteriorLine& line) {

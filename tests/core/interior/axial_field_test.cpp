@@ -31,17 +31,23 @@ InteriorField inside_layers(const LayeredMedium& medium) {
   return InteriorField(medium, speed, 1, sheared_cell(), 3, InteriorField::Detail::surface);
 }
 
-/// int k^power |q|^2 c_tt dk/pi, of which by the surface alone the power lost is V times the imaginary part.
+/// V int k |q|^2 Im c_tt dk/pi, the power lost by what the surface does; around a ring the sum over whole harmonics.
 double loss_at_surface(const LayeredMedium& medium) {
-  const QuadratureRule& rule = gauss_rule(24);
+  constexpr double highest = 2000;
   double loss = 0;
-  for (double from = 0, to = 1e-3; from < 2000; from = to, to += std::min(to, 4.0))
-    for (std::size_t i = 0; i < rule.nodes.size(); ++i) {
-      const double k = from + (to - from) * rule.nodes[i], half = 0.5 * k * cell;
-      const double traction = shear * cell * std::sin(half) / half;
-      loss += (to - from) * rule.weights[i] * speed / M_PI * k * traction * traction *
-              surface_compliance(medium, moduli_at(medium, -k * speed), k, 0).transverse.imag();
-    }
+  const auto add = [&](double k, double weight) {
+    const double half = 0.5 * k * cell, traction = shear * cell * std::sin(half) / half;
+    loss += weight * speed / M_PI * k * traction * traction *
+            surface_compliance(medium, moduli_at(medium, -k * speed), k, 0).transverse.imag();
+  };
+  if (const double radius = medium.front().radius; std::isfinite(radius)) {
+    for (int n = 1; n < highest * radius; ++n) add(n / radius, 1 / radius);
+    return loss;
+  }
+  const QuadratureRule& rule = gauss_rule(24);
+  for (double from = 0, to = 1e-3; from < highest; from = to, to += std::min(to, 4.0))
+    for (std::size_t i = 0; i < rule.nodes.size(); ++i)
+      add(from + (to - from) * rule.nodes[i], (to - from) * rule.weights[i]);
   return loss;
 }
 
