@@ -1,5 +1,6 @@
 #include "core/interior/axial_field.hpp"
 
+#include <array>
 #include <cmath>
 
 #include "core/interior/flow_loss.hpp"
@@ -88,7 +89,8 @@ void AxialField::add_to(VolumeFields& f, const std::vector<double>& x, const std
   for (const Component c : sheared) f.stress_of(c) = f.strain_of(c) = ArrayXXd::Zero(points, count);
   f.v = ArrayXXd::Zero(points, count);
   if (points == 0) return;
-  const ArrayXXd phase = (Eigen::Map<const ArrayXd>(x.data(), points).matrix() * waves_.k.matrix().transpose()).array();
+  const ArrayXd places = Eigen::Map<const ArrayXd>(x.data(), points);
+  const ArrayXXd phase = (places.matrix() * waves_.k.matrix().transpose()).array();
   const Eigen::MatrixXd cosine = phase.cos().matrix(), sine = phase.sin().matrix();
   const ArrayXd weight =
       waves_.weight / M_PI * waves_.k.unaryExpr([&](double k) { return faded(k, waves_.k(waves - 1)); });
@@ -108,32 +110,21 @@ void AxialField::add_to(VolumeFields& f, const std::vector<double>& x, const std
       f.strain_of(c).col(column) = sum(compliance * stress);
     }
     if (at_rest_far_away) f.v.col(column) = sum(line.v);
-    if (f.loss_density.size() > 0 && points > 1) add_density(f, x, column, line);
+    if (f.loss_density.size() > 0 && points > 1) add_density(f, places, column, line);
   }
 }
 
-void AxialField::add_density(VolumeFields& f, const std::vector<double>& x, Index column, const Line& line) const {
-  const auto points = static_cast<Index>(x.size());
+void AxialField::add_density(VolumeFields& f, const ArrayXd& x, Index column, const Line& line) const {
   const CreepSpectrum& material = medium_[line.layer].material;
-  // In the order in which material passes, from the last place to the first.
-  const auto place = [&](Index i) { return speed_ < 0 ? i : points - 1 - i; };
-  ArrayXXd along(2, points);
-  for (Index i = 0; i < points; ++i)
-    along.col(i) << f.stress_of(Component::xy)(place(i), column), f.stress_of(Component::yz)(place(i), column);
-  const double first = x[static_cast<std::size_t>(place(0))];
-  ArrayXXd ahead = ArrayXXd::Zero(2, static_cast<Index>(material.terms.size()));
+  ArrayXXd stress(2, x.size()), ahead = ArrayXXd::Zero(2, std::ssize(material.terms));
+  stress << f.stress_of(Component::xy).col(column).transpose(), f.stress_of(Component::yz).col(column).transpose();
   for (Index wave = 0; wave < waves_.k.size(); ++wave) {
     const double k = waves_.k(wave);
-    const complex turned = waves_.weight(wave) / M_PI * std::polar(1.0, k * first);
-    for (Index m = 0; m < ahead.cols(); ++m) {
-      const complex mean = turned / complex(1, -k * speed_ * material.terms[static_cast<std::size_t>(m)].time);
-      ahead(0, m) += (mean * line.xy(wave)).real();
-      ahead(1, m) += (mean * line.yz(wave)).real();
-    }
+    add_memories(ahead, material, k, speed_, waves_.weight(wave) / M_PI * std::polar(1.0, k * first_passed(x, speed_)),
+                 std::array{line.xy(wave), line.yz(wave)});
   }
-  const ArrayXd density = flow_loss(along, ahead, material, x[1] - x[0], std::abs(speed_),
-                                    [](const ArrayXd& stress) { return stress.square().sum(); });
-  for (Index i = 0; i < points; ++i) f.loss_density(place(i), column) += flow_ * density(i);
+  f.loss_density.col(column) += density_on_line(stress, ahead, material, x(1) - x(0), speed_, flow_,
+                                                [](const ArrayXd& tau) { return tau.square().sum(); });
 }
 
 }  // namespace rollres

@@ -42,7 +42,7 @@ class AxialField {
     Eigen::ArrayXcd xy, yz, v;  ///< amplitudes of tau_xy, tau_yz and v by wave
   };
   std::vector<Line> waves_on(const std::vector<InteriorLine>& lines, Eigen::ArrayXd& line_loss) const;
-  void add_density(VolumeFields& f, const std::vector<double>& x, Eigen::Index column, const Line& line) const;
+  void add_density(VolumeFields& f, const Eigen::ArrayXd& x, Eigen::Index column, const Line& line) const;
 
   LayeredMedium medium_, flat_;  // flat_ has the depths of a ring
   double speed_, flow_;

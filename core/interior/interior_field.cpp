@@ -213,7 +213,10 @@ class InteriorField::Sum {
         f_.line_loss(column) += wave.weight / M_PI * field_.flow_ * field_.speed_ * k * lost * length_[line];
       if (x_.size() == 0) continue;
       const double weight = wave.weight / M_PI * fade(line, k);
-      add_memories(line, wave, stress, weight);
+      if (memories_[line].cols() > 0)
+        add_memories(memories_[line], field_.medium_[layer].material, k, field_.speed_,
+                     weight * std::polar(1.0, k * first_passed(x_, field_.speed_)),
+                     std::array{stress.x, stress.z, stress.xz});
       if (field_.closed_form_ && near_surface(line)) {
         const PlaneStress deep = half_space_wave(k, face_[line], wave.tractions.pressure, wave.tractions.shear);
         const PlaneStrain moved = strain_of(deep, field_.short_compliance_, nu);
@@ -233,21 +236,6 @@ class InteriorField::Sum {
         amplitudes_(row, summed_ * column + field) = weight * amplitudes[field].real();
         amplitudes_(count + row, summed_ * column + field) = weight * amplitudes[field].imag();
       }
-    }
-  }
-
-  /// The places of x in the order in which material passes them, from the last to the first.
-  Index place(Index i) const { return field_.speed_ < 0 ? i : x_.size() - 1 - i; }
-
-  /// Memory means of the stress at the point farthest ahead.
-  void add_memories(std::size_t line, const Wave& wave, const PlaneStress& stress, double weight) {
-    if (memories_[line].cols() == 0) return;
-    const complex turned = weight * std::polar(1.0, wave.wavenumber * x_(place(0)));
-    const auto& terms = field_.medium_[lines_[line].layer].material.terms;
-    for (std::size_t m = 0; m < terms.size(); ++m) {
-      const complex mean = turned / complex(1, -wave.wavenumber * field_.speed_ * terms[m].time);
-      const complex means[] = {mean * stress.x, mean * stress.z, mean * stress.xz};
-      for (Index c = 0; c < 3; ++c) memories_[line](c, static_cast<Index>(m)) += means[c].real();
     }
   }
 
@@ -272,19 +260,16 @@ class InteriorField::Sum {
   }
 
   void measure_density() {
-    const Index points = x_.size();
-    if (points < 2) return;
-    ArrayXXd along(of_strains, points);
+    if (x_.size() < 2) return;
     for (std::size_t line = 0; line < lines_.size(); ++line) {
       const MediumLayer& layer = field_.medium_[lines_[line].layer];
       const auto column = static_cast<Index>(line);
-      for (Index i = 0; i < points; ++i)
-        for (Index c = 0; c < of_strains; ++c)
-          along(c, i) = f_.stress_of(in_plane[static_cast<std::size_t>(c)])(place(i), column);
-      const ArrayXd density = flow_loss(
-          along, memories_[line], layer.material, x_(1) - x_(0), std::abs(field_.speed_),
-          [&](const ArrayXd& stress) { return distortion(stress(0), stress(1), stress(2), layer.poisson_ratio); });
-      for (Index i = 0; i < points; ++i) f_.loss_density(place(i), column) = field_.flow_ * density(i);
+      ArrayXXd stress(of_strains, x_.size());
+      for (Index c = 0; c < of_strains; ++c)
+        stress.row(c) = f_.stress_of(in_plane[static_cast<std::size_t>(c)]).col(column).transpose();
+      f_.loss_density.col(column) =
+          density_on_line(stress, memories_[line], layer.material, x_(1) - x_(0), field_.speed_, field_.flow_,
+                          [&](const ArrayXd& s) { return distortion(s(0), s(1), s(2), layer.poisson_ratio); });
     }
   }
 

@@ -11,6 +11,20 @@ using Eigen::ArrayXd;
 using Eigen::ArrayXXd;
 using Eigen::Index;
 
+bool is_mirror_image(const SurfaceFields& fields) {
+  const SurfaceGrid& grid = fields.grid;
+  if (grid.y(0) != -grid.y(grid.rows - 1)) return false;
+  for (int j = 0; 2 * j < grid.rows; ++j)
+    for (int i = 0; i < grid.columns; ++i) {
+      const auto node = static_cast<std::size_t>(grid.index(i, j)),
+                 image = static_cast<std::size_t>(grid.index(i, grid.rows - 1 - j));
+      if (fields.pressure[node] != fields.pressure[image] || fields.shear_x[node] != fields.shear_x[image] ||
+          fields.shear_y[node] != -fields.shear_y[image])
+        return false;
+    }
+  return true;
+}
+
 Extent extent_of_row(const std::function<double(int)>& pressure, int count, double first, double spacing) {
   const auto squared = [&](int node) {
     const double p = node < 0 || node >= count ? 0 : pressure(node);

@@ -12,6 +12,9 @@
 
 namespace rollres {
 
+/// Whether tractions and grid are their own mirror images in y, to the last digit as half a grid leaves them.
+bool is_mirror_image(const SurfaceFields& fields);
+
 /// The contact's middle and half-length along an axis [m].
 struct Extent {
   double middle, half;

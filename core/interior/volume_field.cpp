@@ -5,6 +5,7 @@
 
 #include "core/interior/depth_response.hpp"
 #include "core/interior/flow_loss.hpp"
+#include "core/interior/interior_lines.hpp"
 #include "core/interior/interior_waves.hpp"
 #include "core/interior/transverse_response.hpp"
 #include "core/numerics/solution_limits.hpp"
@@ -18,39 +19,6 @@ using Eigen::ArrayXXd;
 using Eigen::Index;
 using Eigen::MatrixXcd;
 using Eigen::MatrixXd;
-
-namespace {
-
-/// E(sigma) = G epsilon : sigma = 1/2 [sigma : sigma - nu/(1 + nu) tr^2], of real or of complex stresses.
-template <class Stresses>
-double distortion_of(const Stresses& s, double nu) {
-  const auto trace = s[0] + s[1] + s[2];
-  double sum = -nu / (1 + nu) * std::norm(trace);
-  for (int c = 0; c < 3; ++c) sum += std::norm(s[c]) + 2 * std::norm(s[c + 3]);
-  return 0.5 * sum;
-}
-
-double farthest_of(const std::vector<double>& values) {
-  double largest = 0;
-  for (const double value : values) largest = std::max(largest, std::abs(value));
-  return largest;
-}
-
-}  // namespace
-
-bool is_mirror_image(const SurfaceFields& fields) {
-  const SurfaceGrid& grid = fields.grid;
-  if (grid.y(0) != -grid.y(grid.rows - 1)) return false;
-  for (int j = 0; 2 * j < grid.rows; ++j)
-    for (int i = 0; i < grid.columns; ++i) {
-      const auto node = static_cast<std::size_t>(grid.index(i, j)),
-                 image = static_cast<std::size_t>(grid.index(i, grid.rows - 1 - j));
-      if (fields.pressure[node] != fields.pressure[image] || fields.shear_x[node] != fields.shear_x[image] ||
-          fields.shear_y[node] != -fields.shear_y[image])
-        return false;
-    }
-  return true;
-}
 
 VolumeField::VolumeField(LayeredMedium medium, double speed, double flow, const SurfaceFields& fields, Detail detail)
     : medium_(std::move(medium)),
@@ -94,7 +62,8 @@ class VolumeField::Sum {
       shallowest = std::min(shallowest, depth_.back());
     }
     for (const MediumLayer& layer : field.medium_) creeps_.push_back(creeps(layer.material));
-    choose_waves(farthest_of(x), farthest_of(y), shallowest);
+    const auto farthest = [](const ArrayXd& places) { return places.size() > 0 ? places.abs().maxCoeff() : 0; };
+    choose_waves(farthest(x_), farthest(y_), shallowest);
     const auto places = static_cast<Index>(lines.size()) * y_.size();
     summed_ = wanted == Wanted::strains ? components : 2 * components + 3;
     require_memory(sizeof(double) * static_cast<double>(summed_) * static_cast<double>(places) *
@@ -285,7 +254,7 @@ class VolumeField::Sum {
         const Index place = static_cast<Index>(line) * ys + y;
         const Eigen::Array<complex, components, 1> stress = summed.row(place).head<components>().transpose();
         if (lost != 0) lost_on_lines_(place, row) = lost * distortion_of(stress, nu);
-        if (wanted_ == Wanted::density) add_memories(wave, row, line, stress);
+        if (wanted_ == Wanted::density) add_means(wave, row, line, stress);
         if (x_.size() == 0) continue;
         const complex mean = nu / (1 + nu) * (stress(0) + stress(1) + stress(2));
         const auto take = [&](Index c, complex value) {
@@ -302,20 +271,15 @@ class VolumeField::Sum {
     }
   }
 
-  /// The places of x in the order in which material passes them, from the last to the first.
-  Index passed(Index i) const { return field_.speed_ < 0 ? i : x_.size() - 1 - i; }
-
   /// Memory means of the stress at the point farthest ahead.
   template <class Stress>
-  void add_memories(Index wave, Index row, std::size_t line, const Stress& stress) {
+  void add_means(Index wave, Index row, std::size_t line, const Stress& stress) {
     const double kx = kx_.k(wave);
-    const complex turned = kx_.weight(wave) / M_PI * std::polar(1.0, kx * x_(passed(0)));
-    const auto& terms = field_.medium_[lines_[line].layer].material.terms;
-    ArrayXXd mean(components, static_cast<Index>(terms.size()));
-    for (std::size_t m = 0; m < terms.size(); ++m) {
-      const complex kept = turned / complex(1, -kx * field_.speed_ * terms[m].time);
-      mean.col(static_cast<Index>(m)) = (kept * stress).real();
-    }
+    const CreepSpectrum& material = field_.medium_[lines_[line].layer].material;
+    ArrayXXd mean = ArrayXXd::Zero(components, terms_of(lines_[line].layer));
+    add_memories(mean, material, kx, field_.speed_,
+                 kx_.weight(wave) / M_PI * std::polar(1.0, kx * first_passed(x_, field_.speed_)),
+                 std::span(stress.data(), components));
     means_[static_cast<std::size_t>(row)][line].push_back(mean);
   }
 
@@ -335,19 +299,18 @@ class VolumeField::Sum {
   }
 
   void measure_density() {
-    const Index points = x_.size(), ys = y_.size();
-    f_.loss_density = ArrayXXd::Zero(points, f_.line_loss.size());
-    if (points < 2) return;
-    ArrayXXd along(components, points);
+    const Index ys = y_.size();
+    f_.loss_density = ArrayXXd::Zero(x_.size(), f_.line_loss.size());
+    if (x_.size() < 2) return;
     for (Index place = 0; place < f_.line_loss.size(); ++place) {
       const auto line = static_cast<std::size_t>(place / ys), y = static_cast<std::size_t>(place % ys);
       const MediumLayer& layer = field_.medium_[lines_[line].layer];
-      for (Index i = 0; i < points; ++i)
-        for (std::size_t c = 0; c < components; ++c) along(static_cast<Index>(c), i) = f_.stress[c](passed(i), place);
-      const ArrayXd density =
-          flow_loss(along, ahead_[line][y], layer.material, x_(1) - x_(0), field_.speed(),
-                    [&](const ArrayXd& stress) { return distortion_of(stress, layer.poisson_ratio); });
-      for (Index i = 0; i < points; ++i) f_.loss_density(passed(i), place) = field_.flow_ * density(i);
+      ArrayXXd along(components, x_.size());
+      for (std::size_t c = 0; c < components; ++c)
+        along.row(static_cast<Index>(c)) = f_.stress[c].col(place).transpose();
+      f_.loss_density.col(place) =
+          density_on_line(along, ahead_[line][y], layer.material, x_(1) - x_(0), field_.speed_, field_.flow_,
+                          [&](const ArrayXd& stress) { return distortion_of(stress, layer.poisson_ratio); });
     }
   }
 

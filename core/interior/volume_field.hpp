@@ -26,9 +26,6 @@
 
 namespace rollres {
 
-/// Whether tractions and grid are their own mirror images in y, to the last digit as half a grid leaves them.
-bool is_mirror_image(const SurfaceFields& fields);
-
 class VolumeField {
  public:
   using Detail = InteriorField::Detail;

@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "core/interior/interior_lines.hpp"
 #include "core/reference/reference_inside.hpp"
 #include "tests/catch.hpp"
 
