@@ -51,6 +51,8 @@ AxialField::AxialField(const LayeredMedium& medium, double speed, double flow, c
   }
   const ArrayXd half = 0.5 * grid.spacing_x * waves_.k;
   traction_ *= (grid.spacing_x * half.sin() / half).cast<complex>();
+  for (const MediumLayer& layer : medium_)
+    compliance_.push_back(waves_.k.unaryExpr([&](double k) { return layer.material(-k * speed_); }));
 }
 
 std::vector<AxialField::Line> AxialField::waves_on(const std::vector<InteriorLine>& lines, ArrayXd& line_loss) const {
@@ -64,7 +66,8 @@ std::vector<AxialField::Line> AxialField::waves_on(const std::vector<InteriorLin
   for (Index wave = 0; wave < waves; ++wave) {
     require_time();
     const double k = waves_.k(wave);
-    const std::vector<complex> moduli = moduli_at(medium_, -k * speed_);
+    std::vector<complex> moduli;
+    for (const ArrayXcd& compliance : compliance_) moduli.push_back(1.0 / compliance(wave));
     const TransverseResponse response(flat_, moduli, k, speed_, traction_(wave));
     for (std::size_t i = 0; i < all.size(); ++i) {
       Line& line = all[i];
@@ -76,7 +79,7 @@ std::vector<AxialField::Line> AxialField::waves_on(const std::vector<InteriorLin
       // A line is the shorter the deeper it lies in a ring.
       const double lost = (std::norm(line.xy(wave)) + std::norm(line.yz(wave))) / line.stretch;
       line_loss(static_cast<Index>(i)) +=
-          waves_.weight(wave) / M_PI * flow_ * speed_ * k * (1.0 / moduli[line.layer]).imag() * lost;
+          waves_.weight(wave) / M_PI * flow_ * speed_ * k * compliance_[line.layer](wave).imag() * lost;
     }
   }
   return all;
@@ -95,19 +98,16 @@ void AxialField::add_to(VolumeFields& f, const std::vector<double>& x, const std
   const ArrayXd weight =
       waves_.weight / M_PI * waves_.k.unaryExpr([&](double k) { return faded(k, waves_.k(waves - 1)); });
   const bool at_rest_far_away = std::isfinite(medium_.back().thickness);
-  ArrayXcd compliance(waves);
   for (Index column = 0; column < count; ++column) {
     require_time();
     const Line& line = all[static_cast<std::size_t>(column)];
-    for (Index wave = 0; wave < waves; ++wave)
-      compliance(wave) = medium_[line.layer].material(-waves_.k(wave) * speed_);
     const auto sum = [&](const ArrayXcd& amplitudes) -> ArrayXd {
       return cosine * (weight * amplitudes.real()).matrix() - sine * (weight * amplitudes.imag()).matrix();
     };
     for (const Component c : sheared) {
       const ArrayXcd& stress = c == Component::xy ? line.xy : line.yz;
       f.stress_of(c).col(column) = sum(stress);
-      f.strain_of(c).col(column) = sum(compliance * stress);
+      f.strain_of(c).col(column) = sum(compliance_[line.layer] * stress);
     }
     if (at_rest_far_away) f.v.col(column) = sum(line.v);
     if (f.loss_density.size() > 0 && points > 1) add_density(f, places, column, line);

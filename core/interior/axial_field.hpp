@@ -47,7 +47,8 @@ class AxialField {
   LayeredMedium medium_, flat_;  // flat_ has the depths of a ring
   double speed_, flow_;
   InteriorWaves waves_;
-  Eigen::ArrayXcd traction_;  // of each wave
+  Eigen::ArrayXcd traction_;                 // of each wave
+  std::vector<Eigen::ArrayXcd> compliance_;  // of each layer, by wave
 };
 
 }  // namespace rollres

@@ -100,6 +100,7 @@ class InteriorField {
   class Sum;
 
   double highest_wavenumber(double half_length, Detail detail) const;
+  void put_wave(double wavenumber, double weight, const SurfaceTractions::Transforms& tractions);
   void add_waves(double lowest, double widest);
   /// Whether what is half a turn of a ring away counts, or memories of the last turn.
   bool comes_round(double speed) const;

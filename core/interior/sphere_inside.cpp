@@ -199,9 +199,8 @@ class SphereSummary {
     constexpr int along = 241, across = 41;
     const double reach = extent_.x.half + beside_;
     const std::vector<double> x = evenly_spaced(extent_.x.middle - reach, extent_.x.middle + reach, along);
-    const std::vector<double> y = extent_.mirrored
-                                      ? evenly_spaced(0, extent_.y.half + beside_, across)
-                                      : ys_around(extent_.y.middle, extent_.y.half + beside_, 2 * across - 1);
+    const std::vector<double> y =
+        ys_around(extent_.y.middle, extent_.y.half + beside_, extent_.mirrored ? across : 2 * across - 1);
     const VolumeFields fields = side.field.at(x, y, {face}, Wanted::all);
     take_peak(side, {face}, x, y, fields);
     if (face.depth < side.field.medium()[face.layer].thickness) return;

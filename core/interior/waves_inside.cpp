@@ -25,17 +25,18 @@ double InteriorField::highest_wavenumber(double half_length, Detail detail) cons
   return std::max(along / half_length, DepthResponse::vanished / medium_.front().thickness);
 }
 
+void InteriorField::put_wave(double wavenumber, double weight, const SurfaceTractions::Transforms& tractions) {
+  waves_.push_back({wavenumber, weight, tractions, moduli_at(medium_, -wavenumber * speed_)});
+}
+
 void InteriorField::add_waves(double lowest, double widest) {
   const QuadratureRule& rule = gauss_rule(nodes_per_panel);
   require_memory(highest_ / widest * nodes_per_panel * sizeof(Wave), "waves in the layers");
-  const auto put = [&](double k, double weight, const SurfaceTractions::Transforms& tractions) {
-    waves_.push_back({k, weight, tractions, moduli_at(medium_, -k * speed_)});
-  };
   double from = 0, to = lowest;
   for (; to - from < widest && to < highest_; from = to, to += std::min(growth * to, widest))
     for (std::size_t i = 0; i < rule.nodes.size(); ++i) {
       const double k = from + (to - from) * rule.nodes[i];
-      put(k, (to - from) * rule.weights[i], tractions_.transforms(k));
+      put_wave(k, (to - from) * rule.weights[i], tractions_.transforms(k));
     }
   // The others are of one width.
   const int panels = std::max(1, static_cast<int>(std::ceil((highest_ - from) / widest)));
@@ -45,7 +46,7 @@ void InteriorField::add_waves(double lowest, double widest) {
   const std::vector<std::vector<SurfaceTractions::Transforms>> tractions = tractions_.transforms(firsts, width, panels);
   for (std::size_t i = 0; i < firsts.size(); ++i)
     for (int panel = 0; panel < panels; ++panel)
-      put(firsts[i] + width * panel, width * rule.weights[i], tractions[i][static_cast<std::size_t>(panel)]);
+      put_wave(firsts[i] + width * panel, width * rule.weights[i], tractions[i][static_cast<std::size_t>(panel)]);
   std::sort(waves_.begin(), waves_.end(), [](const Wave& a, const Wave& b) { return a.wavenumber < b.wavenumber; });
 }
 
@@ -68,12 +69,9 @@ void InteriorField::add_harmonics() {
   const double step = 1 / medium_.front().radius;
   require_memory(highest_ / step * sizeof(Wave), "harmonics of a ring");
   const int count = checked_count(std::ceil(highest_ / step), "harmonics of a ring");
-  const auto put = [&](double k, double weight, const SurfaceTractions::Transforms& tractions) {
-    waves_.push_back({k, weight, tractions, moduli_at(medium_, -k * speed_)});
-  };
-  put(even * step, 0.5 * step, tractions_.transforms(even * step));
+  put_wave(even * step, 0.5 * step, tractions_.transforms(even * step));
   const auto tractions = tractions_.transforms({step}, step, count);
-  for (int n = 0; n < count; ++n) put((n + 1) * step, step, tractions.front()[static_cast<std::size_t>(n)]);
+  for (int n = 0; n < count; ++n) put_wave((n + 1) * step, step, tractions.front()[static_cast<std::size_t>(n)]);
 }
 
 }  // namespace rollres
